@@ -11,7 +11,8 @@
 namespace detent::importer {
 namespace {
 
-/// The callout of a kind, moved onto the stroke's travel (a leader may end on the bottom-out's outer edge).
+/// Displacement of the callout of a kind, limited to the stroke's travel (a leader may end on the outer edge
+/// of the bottom-out).
 std::optional<double> calloutAt(const std::vector<Callout>& callouts, CalloutKind kind,
                                 const StrokeCurve& curve) {
   for (const Callout& callout : callouts) {
@@ -44,8 +45,9 @@ Provenance provenanceOf(const GraphFindings& findings, const GraphSource& source
   return p;
 }
 
-/// Printed value that differs from the graph by more than a factor of two, if all printed values of its axis
-/// do: the axis was misread. Null if the page prints no value of an axis, or one of them agrees.
+/// The first printed value that differs from the graph by more than a factor of two, if all printed values of
+/// its axis do, which means that the axis was misread. Null if the page prints no value of an axis, or one of
+/// them agrees.
 const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
   for (const bool force : {false, true}) {
     const SpecCheck* worst = nullptr;
@@ -62,13 +64,13 @@ const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
   return nullptr;
 }
 
-/// Index of the switch taken, where the plot shows several.
+/// Index of the switch that was taken; empty if the plot shows only one.
 std::optional<std::size_t> chosenAmongSeveral(const std::vector<PlotSwitch>& switches,
                                               const std::vector<CurveTrace>& traces,
                                               const std::string& requestedName) {
   if (switches.size() < 2) return {};
   const auto chosen = chosenSwitch(switches, traces, requestedName);
-  return chosen ? std::optional(*chosen) : std::nullopt;  // drawn by hand instead
+  return chosen ? std::optional(*chosen) : std::nullopt;  // none: the strokes were drawn by hand
 }
 
 double worstRms_px(const GraphFindings& findings) {
@@ -77,10 +79,10 @@ double worstRms_px(const GraphFindings& findings) {
   return std::max(press_px, findings.fitted.release->summary.rmsSigma * findings.releaseNoise_px);
 }
 
-/// Errors of a graph's axes, mm and N, that all its points share.
+/// Errors of a graph's axes in mm and N. All of its points share them.
 PointNoise axisError(const GraphFindings& findings) {
-  // A drawing program puts lines on whole pixels and leaves curves where they belong; which way it rounded is
-  // not known unless the frame shows it (docs/develop/decisions/0401-finding-plot-frames.md).
+  // A drawing program rounds lines to whole pixels but not curves. In which direction it rounded is unknown
+  // unless the frame shows it (docs/develop/decisions/0401-finding-plot-frames.md).
   constexpr double roundedLine_px = 0.5;
   const bool exact =
       findings.pageClass == PageClass::vector || findings.graph.frame.value.drawnOffset_px != Point{};
@@ -94,7 +96,7 @@ PointNoise axisError(const GraphFindings& findings) {
   return {error_px(axes.x) * std::abs(axes.mmPerPx()), error_px(axes.y) * std::abs(axes.newtonPerPx())};
 }
 
-/// The same at one place, derived where whole lines were seen.
+/// The error at one point. If the axes were refined from whole lines, it follows from their covariance.
 PointNoise axisErrorAt(const GraphFindings& findings, const TactilePoint& point) {
   const PointNoise byRule = axisError(findings);
   if (!findings.refined || findings.refined->shape == SheetShape::asRead) return byRule;
@@ -121,8 +123,8 @@ Remedies giveAxes() {
           {RemedyKind::giveFrame, "if the frame was missed"}};
 }
 
-/// Why the axes are not certain, with what would settle it: where both ranges were given, only a unit or the
-/// frame is left.
+/// The doubt about the axes with its remedies. If both ranges were given, only a unit or the frame can still
+/// be wrong.
 Doubt axesInDoubt(const GraphFindings& findings, const std::vector<WeighedDoubt>& doubts) {
   const auto& calibration = findings.graph.axes.calibration;
   const bool given = calibration.by == DecidedBy::given;
@@ -220,7 +222,7 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
   const auto doubts = doubtsOf(findings, checks, request.hints);
-  std::set<DoubtCode> said;  // once, though both strokes give cause
+  std::set<DoubtCode> said;  // each doubt is reported once, even if both strokes cause it
   for (const WeighedDoubt& each : doubts) {
     provenance.confidence = std::min(provenance.confidence, each.confidence);
     if (each.confidence >= request.sure && said.insert(each.doubt.code).second)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The last step of an import: from fitted strokes to a Button with its provenance, and how sure all of it is.
+// The last step of an import: makes a Button with its provenance from the fitted strokes, and states the
+// confidence of the whole import.
 
 #include "importer/graph_findings.h"
 #include "importer/importer.h"
@@ -14,7 +15,8 @@ struct GraphSource {
   std::vector<Remark> remarks;
 };
 
-/// Failure notCertain below the request's `sure`, with what to pass; a broken rule of the model otherwise.
+/// Failure notCertain if the confidence is below the request's `sure`; its remedies name the options that
+/// would help. Failure of the model if the button breaks one of its rules.
 Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& source,
                                     const ImportRequest& request);
 
@@ -24,7 +26,7 @@ std::vector<std::string> givenByHand(const ImportHints& hints);
 /// Remarks as the button's file keeps them: code and words.
 std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks);
 
-/// A button of one state; callouts become its operating and reset point.
+/// A button of one state. Callouts set its operating point and its reset point.
 Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
                           const std::vector<Callout>& callouts, Provenance provenance);
 

@@ -26,21 +26,22 @@ namespace {
 // above: reported as a remark.
 constexpr double contradicted = 0.2;  // the page says otherwise
 constexpr double unconfirmed = 0.4;   // the page does not say
-constexpr double inPart = 0.6;        // what is read is right, and is not all: said, not refused
+constexpr double inPart = 0.6;        // the reading is right but incomplete: reported, not refused
 
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke
-constexpr double leastTurn = 0.06;            // of the force span: a force meter's noise turns back by less
-constexpr double negativeShare = 0.05;  // of the stroke's span: a trace's start is noisier than its middle
-constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span, of the release
+constexpr double leastTurn = 0.06;            // of the force span: a force meter's noise is smaller
+// of the stroke's span: the start of a trace is noisier than its middle
+constexpr double negativeShare = 0.05;
+constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span; of the release
 constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke's length
 constexpr double endFallShare = 0.4;                            // of the force span
-constexpr double startShare = 0.1;  // of the travel: where it is largest there, a force pulls
+constexpr double startShare = 0.1;  // of the travel: a force that is largest there pulls, like a magnet
 constexpr double pictureEdge_px = 2.5;
-constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
-// A button that springs back does so to the end: a release that stops on the way, near the press, was lost.
-// Share of the travel; share of the press' force.
+constexpr double leastSharedTravel = 0.35;  // the release of a latching key has half of the press' travel
+// A button that springs back does so to the end. A release that stops half-way, near the press, was traced
+// incompletely. Share of the travel; share of the press' force there.
 constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;
-// The release of a locking button ends on the way at rest, and its names in a drawing say so.
+// The release of a self-locking button ends half-way without force, and the names in a drawing say so.
 constexpr double atRest = 0.1;  // share of the press' force there
 
 bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
@@ -69,12 +70,12 @@ Extent forceOf(const StrokePoints& s) {
   return extentOf(s.points, [](const CurvePoint& p) { return p.force_N; });
 }
 
-/// Returns true if a point lies on a polyline, or this near to it.
+/// Returns true if a point lies on a polyline, within a distance.
 bool liesOn(const Polyline& line, Point p, double within_px) {
   return !line.empty() && distance(nearestOn(line, p), p) <= within_px;
 }
 
-/// Share of a line that runs on another, judged at a few hundred places.
+/// Share of a line that runs on another, checked at a few hundred points.
 double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, double within_px) {
   if (other.size() < 2 || line.empty()) return 0;
   const std::size_t step = std::max<std::size_t>(1, line.size() / 300);
@@ -83,14 +84,14 @@ double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, 
   return near / all;
 }
 
-/// Of the stroke that runs more on the other one. A fringe of one line taken for the press covers a part of
-/// it only.
+/// Coinciding share of the stroke that runs more on the other one. The fringe of a line, taken for the press,
+/// covers only a part of it.
 double coincidingShare(const StrokePair& strokes, double within_px) {
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
 }
 
-/// The rows of a line at so many columns, NaN where it does not run.
+/// Rows of a line at consecutive columns; NaN where the line does not run.
 std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns) {
   std::vector<double> rows(static_cast<std::size_t>(columns), std::nan(""));
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -159,9 +160,9 @@ bool stepsOverAndBack(const StrokePair& strokes) {
   return most(onThirdLine) >= 1 || most(inGap) >= fewestGaps;
 }
 
-/// Returns true if pixels of this colour are in or beside nearly every column beyond a frame's right side,
-/// without the plot's own lines: the frame was cut short. A thin line between two rows has its colour in
-/// every second column or so.
+/// Returns true if pixels of this colour occur in nearly every column beyond a frame's right side, apart from
+/// the plot's own lines: the frame was cut too short. A thin line between two rows has its colour in about
+/// every second column.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   constexpr double farShare = 0.04, nearlyAll = 0.9;  // of the frame's width; of the columns
   constexpr double apart_px = 3;                      // from a line of the plot
@@ -181,7 +182,7 @@ bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   return columns > 0 && inked >= nearlyAll * columns;
 }
 
-/// Share of a stroke's length that its longest straight stretch along one axis takes.
+/// Share of a stroke's length that its longest straight section along one axis takes.
 double shareAlongAnAxis(const std::vector<Point>& line) {
   const std::vector<double> at = arcOf(line);
   if (at.empty() || !(at.back() > 0)) return 0;
@@ -209,7 +210,7 @@ double fallAtEnd(const StrokePoints& press) {
   return force.span() > 0 ? (highest - press.points.back().force_N) / force.span() : 0;
 }
 
-/// A stroke up to the start of the bottom-out that ends it.
+/// The stroke without the bottom-out at its end.
 StrokePoints withoutBottomOut(StrokePoints stroke) {
   constexpr double plumb = 0.004;  // of the travel
   const double within_mm = plumb * travelOf(stroke).span(), end_mm = stroke.points.back().displacement_mm;
@@ -222,15 +223,15 @@ StrokePoints withoutBottomOut(StrokePoints stroke) {
   return stroke;
 }
 
-/// Returns true if a stroke ends at its least force.
+/// Returns true if the force is least at the stroke's end.
 bool softestAtItsEnd(const StrokePoints& stroke) {
   constexpr double within = 0.03;  // of the force span
   const Extent force = forceOf(stroke);
   return stroke.points.back().force_N <= force.low + within * force.span();
 }
 
-/// Returns true if the force falls from the start of the travel on, as a magnet's over its gap: a press that
-/// is never stronger than at its start, and ends far below.
+/// Returns true if the force falls from the start of the travel on, like that of a magnet over its gap: the
+/// press is never stronger than at its start and ends far below.
 bool fallsThroughout(const StrokePoints& press) {
   const Extent travel = travelOf(press), force = forceOf(press);
   const CurvePoint highest = *std::ranges::max_element(press.points, {}, &CurvePoint::force_N);
@@ -238,8 +239,8 @@ bool fallsThroughout(const StrokePoints& press) {
          force.high - press.points.back().force_N > endFallShare * force.span();
 }
 
-/// Returns true if a press begins at its largest force and falls from there: a key begins where the finger
-/// meets it.
+/// Returns true if a press has its largest force at its start. The stroke of a key begins where the finger
+/// meets it, so its force is small there.
 bool hardestAtItsStart(const StrokePoints& press) {
   constexpr double ofHighest = 0.9;  // of the largest force
   const Extent force = forceOf(press);
@@ -247,26 +248,26 @@ bool hardestAtItsStart(const StrokePoints& press) {
          press.points.front().force_N - force.low > endFallShare * force.span();
 }
 
-/// Returns true if a press falls from its start or to its end, where it has a support.
+/// Returns true if a press falls from its start, or towards its end although a support stops it there.
 bool endsInAFall(const StrokePoints& press) {
   if (fallAtEnd(press) > endFallShare || fallsThroughout(press) || hardestAtItsStart(press)) return true;
-  // An edge of the frame, taken for a bottom-out, is higher than the start.
+  // An edge of the frame that was taken for a bottom-out is higher than the start.
   const StrokePoints curve = withoutBottomOut(press);
   return softestAtItsEnd(curve) && fallsThroughout(curve);
 }
 
-/// Sizes of a press that no button at hand comes near.
+/// Sizes of a press that no known button has.
 bool implausibleTravel(double travel_mm) { return travel_mm > mostTravel_mm || travel_mm < leastTravel_mm; }
 bool implausibleForce(double force_N) { return force_N > mostForce_N || force_N < leastForce_N; }
 
-/// A unit does not say that the numbers beside it were read right: one that was given and leaves the size as
-/// it is answers nothing, and the axis is what is left to ask for.
+/// Remedies for an implausible size. A given unit does not guarantee that the numbers beside it were read
+/// correctly: if it was given and the size is still wrong, only the axis is left to ask for.
 Remedies sizeRemedies(bool unitGiven, RemedyKind giveUnit, RemedyKind giveAxis) {
   const Remedy axis{giveAxis, "if it is"};
   return unitGiven ? Remedies(axis) : Remedies{{giveUnit, "if it is another"}, axis};
 }
 
-/// A press that begins or pulls on the wrong side of zero by more than noise does.
+/// Returns true if a press begins or pulls on the wrong side of zero, by more than noise.
 bool wrongSide(const Extent& travel) { return travel.low < -negativeShare * travel.span(); }
 bool pulls(const Extent& force) { return force.low < -2 * negativeShare * force.span(); }
 
@@ -293,7 +294,7 @@ bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
   return at(line.front()) || at(line.back());
 }
 
-/// Of the travel that either stroke covers, the share that both do.
+/// Share of the travel covered by either stroke that both cover.
 double sharedTravel(const StrokePair& strokes) {
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
   const double either = std::max(press.high, release.high) - std::min(press.low, release.low);
@@ -301,11 +302,11 @@ double sharedTravel(const StrokePair& strokes) {
   return either > 0 ? std::max(0.0, common / either) : 1;
 }
 
-/// Returns true if the press begins far to the right of the release's end, and not near zero. A press must
-/// start near zero force; otherwise its beginning was not traced.
+/// Returns true if the press begins far to the right of the release's end, and not near zero force. A press
+/// must start near zero force; otherwise its beginning was not traced.
 bool pressBeginsLate(const StrokePair& strokes) {
   constexpr double late = 0.1, nothing = 0.25;  // of the travel; of the press' largest force
-  constexpr double plumb = 0.01;                // of the travel: a locked key's press rises straight
+  constexpr double plumb = 0.01;                // of the travel: the press of a locked key rises vertically
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
   const double travel_mm = press.high - release.low;
   double begin_N = std::numeric_limits<double>::max();
@@ -331,7 +332,7 @@ std::optional<double> forceLeft(const StrokePair& strokes) {
   return force_N > 0 ? std::optional(end.force_N / force_N) : std::nullopt;
 }
 
-/// Returns true if the points fall from left to right all the way.
+/// Returns true if the points fall monotonically from left to right.
 bool onlyFalls(const std::vector<Point>& pixels) {
   constexpr std::size_t parts = 10;
   constexpr double unevenness_px = 2;
@@ -445,13 +446,14 @@ class Doubts {
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
   }
 
-  /// Two paths of a drawing that its legend calls press and release: a button without hysteresis is drawn so.
+  /// Returns true if two paths of a drawing are named press and release in its legend. A drawing shows a
+  /// button without hysteresis so.
   bool drawnAndNamedApart() const {
     const StrokePair& strokes = findings_.strokes.value;
     return strokes.press.fromVector && strokes.release->fromVector && namedApart();
   }
 
-  /// The legend calls one the press and the other the release.
+  /// Returns true if the legend names one of the curves press and the other release.
   bool namedApart() const {
     return std::ranges::any_of(findings_.strokes.evidence, [](const EvidenceItem& item) {
       return item.code == EvidenceCode::namedByLegend;
@@ -464,13 +466,13 @@ class Doubts {
         {{RemedyKind::addMask, "over what is not a curve"}, {RemedyKind::drawPress, {}}});
   }
 
-  /// A line through a good part of the plot that is of neither stroke, however straight: the loop of another
-  /// state, as a self-locking button has, or of another switch. Guides are level or upright, leaders short.
-  /// Nothing where the person chose among curves.
+  /// Doubts an import whose plot contains another long line, straight or not: a loop of another state, as a
+  /// self-locking button has, or of another switch. Guides are horizontal or vertical, and leaders are short.
+  /// No doubt if the person chose among curves.
   void otherLine() {
     constexpr double leastWidth = 0.3, leastHeight = 0.2;  // of the frame's
     constexpr double mostThickness =
-        8;  // in thicknesses of the curves: three lines that meet, no filled patch
+        8;  // in thicknesses of the curves: not a filled patch, but at most three lines that meet
     const TraceHints& given = hints_.trace;
     const bool chosen = !hints_.strokes.curve.empty() || given.pressColor || given.releaseColor ||
                         !hints_.drawn.press.empty() || !hints_.drawn.release.empty();
@@ -485,11 +487,11 @@ class Doubts {
     if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::curveLeftOver, unconfirmed);
   }
 
-  /// Of a switch chosen among several a press alone was followed, and pixels of its colour continue above or
-  /// below it over a good part of its travel: its release, or its press, is another line.
+  /// Doubts a press that was traced alone for a switch chosen among several, if pixels of its colour continue
+  /// above or below it over much of its travel: its release, or the real press, is another line.
   void ownColourBeside() {
     constexpr double mostShare = 0.25;  // of its columns; a legend key takes less
-    constexpr double apart_px = 4;      // from what explains it
+    constexpr double apart_px = 4;      // distance from pixels that are explained
     const StrokePair& strokes = findings_.strokes.value;
     if (hints_.strokes.curve.empty() || strokes.release || findings_.graph.view.raster.rgb.empty()) return;
     const Box frame = findings_.graph.frame.value.box();
@@ -497,7 +499,7 @@ class Doubts {
     const auto [first, last] = std::ranges::minmax(strokes.press.points_px, {}, &Point::x);
     const int from = static_cast<int>(first.x), columns = static_cast<int>(last.x) - from + 1;
     std::vector<std::vector<Extent>> explained(static_cast<std::size_t>(std::max(0, columns)));
-    const auto explain = [&](Point p, Point q) {  // by columns
+    const auto explain = [&](Point p, Point q) {  // explained rows, by columns
       for (int x = std::max(from, static_cast<int>(std::min(p.x, q.x) - apart_px));
            x <= std::min(from + columns - 1.0, std::max(p.x, q.x) + apart_px); ++x) {
         const double share = q.x == p.x ? 0 : std::clamp((x - p.x) / (q.x - p.x), 0.0, 1.0);
@@ -525,8 +527,8 @@ class Doubts {
       sayAt(beside[beside.size() / 2], DoubtCode::curveLeftOver, unconfirmed);
   }
 
-  /// A colour given for one stroke is the curve's that the legend calls the other. It is done as given, and
-  /// said.
+  /// Reports that a colour was given for one stroke although the legend calls its curve the other stroke. The
+  /// given choice is followed.
   void givenAgainstLegend() {
     const TraceHints& given = hints_.trace;
     if (hints_.strokes.swap || (!given.pressColor && !given.releaseColor)) return;
@@ -541,8 +543,8 @@ class Doubts {
           {{RemedyKind::swapStrokes, {}}});
   }
 
-  /// One of two curves has a name that is no stroke's, and the other's name is not read: they may be two
-  /// switches'. If both have such names their paths alone decide.
+  /// One of two curves has a name that is no stroke's, and the other's name could not be read: they may
+  /// belong to two switches. If both have such names, their paths alone decide.
   void namedAlone() {
     const std::vector<CurveTrace>& traces = findings_.traces;
     const bool byHand = hints_.trace.pressColor || hints_.trace.releaseColor || !hints_.drawn.press.empty();
@@ -565,8 +567,8 @@ class Doubts {
         byColour);
   }
 
-  /// The legend names the strokes of another switch beside those that were traced: its curves are drawn
-  /// there, in whatever colour.
+  /// The legend names strokes of another switch beside those that were traced, so its curves are drawn too,
+  /// in whatever colour.
   void otherNamed() {
     const CurveTrace* const press = traceOf(findings_.strokes.value.press);
     if (!press || !hints_.strokes.curve.empty() || hints_.trace.pressColor || !hints_.drawn.press.empty())
@@ -586,7 +588,8 @@ class Doubts {
       return;
     }
   }
-  /// "Press 2" is another run of the same switch, whose curve the page's reader may have hidden.
+  /// Returns true for a name like "Press 2": another run of the same switch, whose curve may be hidden on the
+  /// page.
   static bool countsOnly(std::string_view name) {
     return name.find_first_not_of("0123456789 .#()") == std::string_view::npos;
   }
@@ -596,7 +599,8 @@ class Doubts {
     });
   }
 
-  /// Most of it has no stroke above or below it: it is not the rim of a stroke's own line.
+  /// Returns true if most of a remainder has no stroke above or below it, so it is not the rim of a stroke's
+  /// own line.
   bool liesApart(const Remainder& left) const {
     const double apart_px = std::max(4.0, 0.01 * findings_.graph.frame.value.box().height());
     const auto alongStroke = [&](Point at, const StrokePoints& stroke) {
@@ -615,7 +619,7 @@ class Doubts {
     return 2 * static_cast<std::size_t>(along) <= left.pixels_px.size();
   }
 
-  /// As the box of a legend: most of its pixels lie on the edges of its bounding box.
+  /// Returns true for a legend's box: most of the pixels lie on the edges of their bounding box.
   static bool outlinesABox(const Remainder& left) {
     constexpr double nearShare = 0.05, most = 0.5;  // of the box; of the pixels
     const Box& box = left.box_px;
@@ -626,8 +630,8 @@ class Doubts {
     return static_cast<double>(onEdge) > most * static_cast<double>(left.pixels_px.size());
   }
 
-  /// Pixels of a curve's colour that neither the curves nor the plot's lines and words explain; curves
-  /// without pixels.
+  /// Doubts pixels of a curve's colour that neither the curves nor the plot's lines and words explain, and
+  /// curves without pixels.
   void leftOver() {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/develop/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
@@ -635,20 +639,21 @@ class Doubts {
     const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };
     const auto most = std::ranges::find_if(left, ofAStroke);
     if (most != left.end() && most->likeness >= likeACurve)
-      // A curve that goes on is a curve cut short; an isolated mark may be another thing of the page: it is
-      // reported, not refused.
+      // A continuing curve was traced incompletely and is refused; an isolated mark may be something else on
+      // the page and is only reported.
       sayAt(most->box_px.middle(), DoubtCode::curveLeftOver,
             most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
         0.1;  // of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
-    constexpr double mostBeside = 0.4;  // of a lone curve's travel: dots have half
+    // of the travel of a curve that was traced alone; a dotted line has half
+    constexpr double mostBeside = 0.4;
     if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::curveLeftOver, unconfirmed);
     if (const auto jump = std::ranges::find_if(jumps, ofAStroke); jump != jumps.end())
       sayAt(0.5 * (jump->from_px + jump->to_px), DoubtCode::curveOverPaper, unconfirmed);
   }
 
-  /// Assumptions of a step that the page does not show.
+  /// Reports assumptions of a step that the page does not confirm.
   void assumed() {
     for (const EvidenceItem& item : findings_.strokes.evidence)
       if (item.code == EvidenceCode::nameNearly)
@@ -673,7 +678,7 @@ class Doubts {
     edges(strokes.press);
     if (strokes.release) edges(*strokes.release);
     const bool curvesChosen = hints_.trace.pressColor || !hints_.drawn.press.empty();
-    // A colour does not say which of two scales of forces a curve belongs to.
+    // On a plot with two scales of force, a curve's colour does not show to which scale it belongs.
     const RightScale right = findings_.graph.axes.rightScale;
     const bool settled =
         curvesChosen && !(right == RightScale::otherForces && findings_.strokes.value.release);
@@ -683,8 +688,8 @@ class Doubts {
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
   }
 
-  /// Returns true if a curve in a colour of its own was set aside that is the second scale's: the legend
-  /// names it after that scale's quantity, or names press and release beside it.
+  /// Returns true if another curve was excluded that belongs to the second scale: the legend names it after
+  /// that scale's quantity, or names press and release beside it.
   bool otherScaleHasItsCurve() const {
     const StrokePair& strokes = findings_.strokes.value;
     const bool named = isNamed(strokes.press, Stroke::press) && strokes.release &&
@@ -695,8 +700,8 @@ class Doubts {
            });
   }
 
-  /// The steps' confidence is right less often if the page came from paper, unless a person gave frame and
-  /// axes.
+  /// Lowers the confidence on pages that come from paper, where steps are right less often, unless a person
+  /// gave frame and axes.
   void pageClass() {
     const bool scan = findings_.pageClass == PageClass::scan;
     const AxisHints& axes = hints_.axes;
@@ -711,10 +716,10 @@ class Doubts {
          {RemedyKind::giveYAxis, "(values at the frame's edges)"}});
   }
 
-  /// Curves that the plot shows a part of only.
+  /// Doubts curves of which the plot shows only a part.
   void edges(const StrokePoints& stroke) {
     constexpr double atEdge_px = 2;
-    constexpr double nearShare = 0.02;  // of the frame's height, as far as a scale may be off
+    constexpr double nearShare = 0.02;  // of the frame's height, by which a scale may be off
     constexpr double plumbShare = 0.02;
     std::vector<Point> line = stroke.points_px;
     if (line.empty()) return;
@@ -723,17 +728,18 @@ class Doubts {
     const Raster& picture = findings_.graph.view.raster;
     const Rgb color = colorOf(stroke);
     const Point end = line.back(), towards = end - line[line.size() - std::min<std::size_t>(line.size(), 13)];
-    // A bottom-out on the frame's side runs along it; it leaves the plot at the top only.
+    // A bottom-out on the frame's side runs along it, so it leaves the plot only at the top.
     const bool sidewards = std::abs(towards.x) > plumbShare * std::abs(towards.y);
     const bool atRight = sidewards && end.x > std::min(topRight.x, bottomRight.x) - atEdge_px;
     const bool atEdge = atRight || end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
-    // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame; across a
-    // broken axis no curve continues, and the label is beyond.
+    // If a frame cuts its curves and a label contradicts its scale, it is part of a larger frame. Across a
+    // broken axis no curve continues, and the label lies beyond the break.
     const bool nearTop =
         end.y < std::max(topLeft.y, topRight.y) + nearShare * (bottomLeft.y - topLeft.y) + atEdge_px;
     const bool broken = nearTop && (labelAbove(topLeft) || (!drawnAtTop() && numberAbove(topLeft)));
     if (broken || (atEdge && goesOnBeyond(line, color, picture))) {
-      // Whoever gives the frame says where the plot ends; that its curve goes on there is still said.
+      // A person who gives the frame decides where the plot ends. That the curve continues there is still
+      // reported.
       const bool cutShort =
           broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture));
       add(DoubtCode::leavesThePlot, cutShort && hints_.frame.empty() ? unconfirmed : inPart,
@@ -744,13 +750,13 @@ class Doubts {
     belowTheAxis(line);
   }
 
-  /// Of a curve from left to right: what an axis that begins above zero hides of it, before its start and
-  /// where it dips.
+  /// Doubts a curve (from left to right) of which an axis that begins above zero hides a part: before its
+  /// start and where it dips.
   void belowTheAxis(const std::vector<Point>& line) {
     constexpr double onBaseline_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
     constexpr double noticeable = 0.03;                // of the axis' range; of the travel
-    constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge, of a curve that dips there
-    constexpr double mostHidden = 0.15;   // of the travel: beyond it another button is felt
+    constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge where a curve dips below it
+    constexpr double mostHidden = 0.15;   // of the travel: with more, the button would feel different
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const auto& corners = findings_.graph.frame.value.corners;
     const Point lowest = axes.toUnits(corners[3]);
@@ -774,9 +780,10 @@ class Doubts {
         {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 
-  /// A label read with certainty stands elsewhere on the scale, which rests on few others.
+  /// Returns true if a label that was read with certainty stands at a wrong place of the scale, and only few
+  /// others support the scale.
   bool labelContradicts() const {
-    constexpr auto borne = 5;  // labels that agree, for each that does not
+    constexpr auto borne = 5;  // agreeing labels needed for each contradicting one
     const auto few = [](const AxisReading& axis) {
       const auto used = std::ranges::count_if(axis.ticks, [](const TickLabel& tick) { return tick.used; });
       return borne * (std::ssize(axis.ticks) - used) >= used;
@@ -788,7 +795,8 @@ class Doubts {
            });
   }
 
-  /// A line of the plot where it ends at the top. Where none is drawn nothing cuts a curve.
+  /// Returns true if a line of the plot is drawn along its upper edge. Without one, nothing cuts the curve
+  /// there.
   bool drawnAtTop() const {
     constexpr double near_px = 3;
     const PlotFrame& frame = findings_.graph.frame.value;
@@ -797,14 +805,16 @@ class Doubts {
     });
   }
 
-  /// A number of the force axis stands above the frame, and not where the others would have it.
+  /// Returns true if a number of the force axis stands above the frame, but not where the others would place
+  /// it.
   bool labelAbove(Point topLeft) const {
     return std::ranges::any_of(findings_.graph.axes.calibration.value.y.ticks, [&](const TickLabel& tick) {
       return !tick.used && tick.box.middle().y < topLeft.y;
     });
   }
 
-  /// A number stands over those of the force axis, above the frame: of the rest of a broken axis.
+  /// Returns true if another number stands above those of the force axis, beyond the frame: it belongs to the
+  /// other part of a broken axis.
   bool numberAbove(Point topLeft) const {
     const AxesFound& axes = findings_.graph.axes;
     const auto isNumber = [](const std::string& text) {
@@ -825,7 +835,7 @@ class Doubts {
     return (backwards ? stroke.points.front() : stroke.points.back()).force_N;
   }
 
-  /// The trace that the stroke was taken from; null where that was cut.
+  /// The trace from which the stroke was taken; null if that trace was split.
   const CurveTrace* traceOf(const StrokePoints& stroke) const {
     const auto hasEnd = [](const CurveTrace& trace, Point end) {
       return !trace.points_px.empty() && (trace.points_px.front() == end || trace.points_px.back() == end);
@@ -835,7 +845,8 @@ class Doubts {
       return hasEnd(trace, first) && hasEnd(trace, last);
     });
     if (whole != findings_.traces.end()) return &*whole;
-    // The lower end may be another curve's, under which its own runs: the upper end is more reliable.
+    // The lower end may belong to another curve that covers the stroke's own, so the upper end is more
+    // reliable.
     const bool backwards = first.x > last.x;
     for (const Point end : {backwards ? first : last, backwards ? last : first}) {
       const auto from =
@@ -854,7 +865,7 @@ class Doubts {
   }
   Rgb colorOf(const StrokePoints& stroke) const { return traceColorOf(stroke).value_or(Rgb{}); }
 
-  /// Returns true if this colour is a stroke's, or may be.
+  /// Returns true if this colour is, or may be, that of a stroke.
   bool isOfAStroke(Rgb color) const {
     const StrokePair& strokes = findings_.strokes.value;
     const auto press = traceColorOf(strokes.press);
@@ -862,7 +873,7 @@ class Doubts {
     return !press || !release || isSameColour(color, *press) || isSameColour(color, *release);
   }
 
-  /// Number of a remainder's pixels that show a colour.
+  /// Number of a remainder's pixels that have a colour.
   std::size_t shownOf(const Remainder& left, Rgb color) const {
     const Raster& picture = findings_.graph.view.raster;
     if (picture.empty()) return 0;
@@ -872,8 +883,8 @@ class Doubts {
     }));
   }
 
-  /// Returns true if a remainder may be a stroke's. A remainder that shows the colour of a curve that was set
-  /// aside more than any stroke's belongs to that curve.
+  /// Returns true if a remainder may belong to a stroke. If it shows the colour of an excluded curve more
+  /// than that of any stroke, it belongs to that curve.
   bool isOfAStroke(const Remainder& left) const {
     std::size_t ofStrokes = 0, ofOthers = 0;
     for (const CurveTrace& trace : findings_.traces) {
@@ -890,20 +901,22 @@ class Doubts {
     for (const CurveTrace& trace : findings_.traces) {
       if (!liesOn(trace.points_px, jump.from_px, on_px) || !liesOn(trace.points_px, jump.to_px, on_px))
         continue;
-      if (isOfAStroke(trace.color)) return true;  // a stroke that strayed onto another curve has its jump too
+      // a stroke that strayed onto another curve has a jump there too
+      if (isOfAStroke(trace.color)) return true;
       ofOthers = true;
     }
     return !ofOthers;
   }
 
-  /// Returns true if a line falls all the way from left to right and shows hardly any stroke's colour: an
+  /// Returns true if a line falls monotonically from left to right and has hardly any stroke's colour: an
   /// arrow or a leader. No stroke falls so.
   bool isMark(const Remainder& left) const {
     constexpr double mostOfStrokes = 0.4;  // of its pixels: smoothed rims have any colour
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const Point low = axes.toUnits({left.box_px.x0, left.box_px.y1}),
                 high = axes.toUnits({left.box_px.x1, left.box_px.y0});
-    if (!((high.x - low.x) * (high.y - low.y) > 0)) return false;  // an axis falls, and strokes with it
+    // on a falling axis the strokes fall as well
+    if (!((high.x - low.x) * (high.y - low.y) > 0)) return false;
     std::size_t ofStrokes = 0;
     for (const CurveTrace& trace : findings_.traces)
       ofStrokes = std::max(ofStrokes, shownOf(left, trace.color));
@@ -930,7 +943,7 @@ std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce) {
 }
 
 double worthOf(PageClass pageClass) {
-  constexpr double onScans = 0.88, onPhotos = 0.66;  // of the confidence
+  constexpr double onScans = 0.88, onPhotos = 0.66;  // factors of the confidence
   return pageClass == PageClass::scan ? onScans : pageClass == PageClass::photo ? onPhotos : 1;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Evidence against an import although every step was certain: the page contradicts itself, or the result does
-// not resemble one button's strokes. docs/develop/decisions/0805-doubts.md names the wrong buttons that each
-// has found.
+// Evidence against an import in which every single step was certain: the page contradicts itself, or the
+// result does not resemble the strokes of one button. docs/develop/decisions/0805-doubts.md lists the wrong
+// buttons that each check has found.
 
 #include <optional>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace detent::importer {
 
-/// `confidence`: what an import with this doubt is worth at most, 0..1.
+/// `confidence`: upper limit of the import's confidence with this doubt, 0..1.
 struct WeighedDoubt {
   Doubt doubt;
   double confidence = 0;
@@ -20,16 +20,16 @@ struct WeighedDoubt {
 /// The doubt about an axis that measures neither force nor travel; nullopt without one.
 std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce);
 
-/// Factor of the steps' confidence on pages of a class, 0..1: counted,
+/// Factor for the confidence of the steps on pages of a class, 0..1. Measured:
 /// docs/measurements/import-confidence.md.
 double worthOf(PageClass pageClass);
 
-/// Empty for an import that nothing speaks against. What was given by hand is not doubted.
+/// Doubts about an import; empty if there are none. Values given by hand are not doubted.
 std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                                    const ImportHints& hints);
 
-/// The same of a force meter's log, which has no page to hold it against: sizes, signs and shape of its
-/// strokes.
+/// The same for a force meter's log: checks sizes, signs and shape of its strokes. There is no page to
+/// compare them with.
 std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStrokes& fitted,
                                       const ImportHints& hints);
 

@@ -9,7 +9,8 @@
 namespace detent::importer {
 namespace {
 
-constexpr double reachShare = 0.012;  // of the plot frame's diagonal: a hand at a plot shown whole
+// of the plot frame's diagonal: accuracy of a hand on a plot that is shown as a whole
+constexpr double reachShare = 0.012;
 constexpr double leastReach_px = 4, mostReach_px = 24;
 
 std::pair<double, double> spanOf(const StrokePoints& stroke) {

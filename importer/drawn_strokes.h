@@ -16,7 +16,8 @@ inline constexpr double wholeStrokeShare = 0.8;
 StrokePoints strokeFromDrawn(const std::vector<Point>& drawn, Stroke stroke, const PageView& view,
                              const PlotFrame& frame, const AxisCalibration& calibration);
 
-/// `drawn` in the place of `traced`, or of the part of it that it covers. Both in the order travelled.
+/// `traced` with `drawn` in place of all of it, or of the part that `drawn` covers. Both in the order
+/// travelled.
 StrokePoints withDrawnPart(const StrokePoints& traced, const StrokePoints& drawn);
 
 }  // namespace detent::importer

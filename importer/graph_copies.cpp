@@ -77,7 +77,7 @@ std::optional<double> distanceBetween(const StrokePair& a, const StrokePair& b) 
 }
 
 bool isBetterCopy(const CopyRank& a, const CopyRank& b) {
-  constexpr double equallySure = 0.1;  // of confidence
+  constexpr double equallySure = 0.1;  // difference of confidence
   if (std::abs(a.confidence - b.confidence) > equallySure) return a.confidence > b.confidence;
   if (a.exact != b.exact) return a.exact;
   return a.framePixels > b.framePixels;

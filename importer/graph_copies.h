@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Documents show one graph twice: on the drawing page and on the page of its load curve. Copies are known by
-// their axes and by where their strokes run, and the better drawn one is imported
+// A document may show one graph twice, for example on the drawing and on the page with the load curve. Copies
+// are recognised by equal axes and nearly equal strokes; the better drawn one is imported
 // (docs/develop/decisions/0812-several-readings.md).
 
 #include <optional>
@@ -11,15 +11,16 @@
 
 namespace detent::importer {
 
-/// Same units and, within one hundredth, the same ranges: worth tracing both.
+/// Returns true if units are equal and ranges agree within one hundredth, so that tracing both graphs is
+/// worthwhile.
 bool haveSameAxes(const AxisCalibration& a, const AxisCalibration& b);
 
 /// Mean distance of either pair's points from the other's lines, each axis as a share of the first pair's
 /// span; nullopt if only one of them has a release, or either has too few points.
 std::optional<double> distanceBetween(const StrokePair& a, const StrokePair& b);
 
-/// Copies are drawn, scanned and traced apart: this near, they are one graph. Different switches on equal
-/// axes are farther apart.
+/// Largest distance of two copies. Copies differ a little because each is drawn, scanned and traced
+/// separately; different switches on equal axes are farther apart.
 inline constexpr double copiesWithin = 0.015;
 
 /// Rank of a copy, to choose one.
@@ -29,7 +30,8 @@ struct CopyRank {
   double framePixels = 0;  ///< area of the frame in the view
 };
 
-/// The surer one; of equally sure ones the exact one, then the one drawn larger.
+/// Returns true if `a` has the higher confidence; of equal ones, if it comes from the document's own paths;
+/// then if it is drawn larger.
 bool isBetterCopy(const CopyRank& a, const CopyRank& b);
 
 }  // namespace detent::importer

@@ -48,7 +48,7 @@ class StepClock {
 Message placeOf(int page) { return Message("page %1", page); }
 Message placeOf(int page, int graph) { return Message("page %1, graph %2", page, graph); }
 
-/// Inputs that determine the graphs of a page and the reading of their axes.
+/// The inputs on which the graphs of a page and the first reading of their axes depend.
 struct LocateKey {
   ViewOptions view;
   AxisHints axes;
@@ -59,7 +59,7 @@ struct LocateKey {
 
 ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& hints, double magnification) {
   ViewOptions view = settings.view;
-  if (hints.dpi) {  // a given resolution is exact: nothing widens or caps it
+  if (hints.dpi) {  // a given resolution is used exactly, without widening or limit
     view.maxScale_px_per_unit = *hints.dpi / 72.0;
     view.minFrameWidth_px = 16384;
   }
@@ -73,7 +73,7 @@ LocateKey locateKeyOf(const ImportRequest& request, double magnification = 1) {
           request.hints.frame, magnification};
 }
 
-/// Masks are given on the page; tracing works in the view.
+/// Converts masks from page units to view pixels.
 TraceHints hintsInView(TraceHints hints, const PageView& view) {
   const Homography toView = view.viewToPage.inverse();
   for (Box& mask : hints.masks_px) mask = toView.boxOf(mask);
@@ -96,8 +96,8 @@ FitOptions fitOptionsFor(double noise_px, const AxisCalibration& calibration,
   return options;
 }
 
-/// The points of a stroke with none of its lines longer than two pixels: a document draws a straight stretch
-/// with its two ends, and the fit must see what lies between them.
+/// The points of a stroke, with intermediate points so that no segment is longer than two pixels. A document
+/// stores only the two ends of a straight section, but the fit needs points between them.
 std::vector<CurvePoint> withoutGaps(const StrokePoints& stroke) {
   constexpr double longest_px = 2;
   if (!stroke.fromVector || stroke.points_px.size() != stroke.points.size()) return stroke.points;
@@ -118,8 +118,8 @@ std::vector<CurvePoint> withoutGaps(const StrokePoints& stroke) {
   return dense;
 }
 
-/// A fitted stroke that starts at the force-free key or later: what lies left of 0 mm is noise of axis and
-/// trace.
+/// A fitted stroke that starts at 0 mm, where the key is free of force, or later. Points left of 0 mm are
+/// noise of axis and trace.
 Result<FittedStroke> fitAtRest(const std::vector<CurvePoint>& points, Stroke stroke,
                                const FitOptions& options) {
   auto fitted = fitStroke(points, stroke, options);
@@ -141,7 +141,7 @@ Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press
   return fitted;
 }
 
-/// A stroke's points where other axes put them; what the step before moved in the units stays moved.
+/// Converts a stroke's points to other axes; a correction in mm and N that an earlier step made is kept.
 void moveTo(const AxisCalibration& to, const AxisCalibration& from, StrokePoints& stroke) {
   for (std::size_t i = 0; i < stroke.points_px.size(); ++i) {
     const Point by = to.toUnits(stroke.points_px[i]) - from.toUnits(stroke.points_px[i]);
@@ -150,7 +150,7 @@ void moveTo(const AxisCalibration& to, const AxisCalibration& from, StrokePoints
   }
 }
 
-/// Replaces traced strokes by those that the user has drawn, and adds the ones that were not traced.
+/// Replaces traced strokes by those that the user has drawn, and adds drawn ones that were not traced.
 Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const DrawnStrokes& drawn,
                                     const LocatedGraph& graph) {
   const auto strokeOf = [&](const std::vector<Point>& line, Stroke stroke) {
@@ -176,7 +176,7 @@ StrokeHints asSeen(StrokeHints hints, const std::vector<CurveTrace>& curves, con
   return hints;
 }
 
-/// A scale that falls and could not be mirrored is not followed, unless a person gave it so.
+/// A falling scale that could not be mirrored is refused, unless a person gave it.
 std::optional<Failure> stillFalling(const LocatedGraph& graph, const AxisHints& given) {
   const AxisCalibration& axes = graph.axes.calibration.value;
   const bool x = axes.x.max < axes.x.min && !given.xMin && !given.xMax;
@@ -188,10 +188,10 @@ std::optional<Failure> stillFalling(const LocatedGraph& graph, const AxisHints& 
                    "plot frame", Message("%1 axis", x ? "x" : "y"));
 }
 
-/// Axes of one graph: as its page was searched, and what they are read with now.
+/// Axes of one graph: as found in the search of the page, and as read with the present hints.
 struct AxesReading {
   AxisHints hints;
-  std::optional<AxesFound> asLocated;  // empty: never read with other hints
+  std::optional<AxesFound> asLocated;  // empty if no other hints were used so far
 };
 
 /// The graphs of one page.
@@ -200,10 +200,10 @@ struct PageGraphs {
   LocatedPage located;
   std::vector<AxesReading> axes;  // per graph
   PageUnit unit = PageUnit::pixel;
-  std::uint64_t serial = 0;  // a new one each time the page is searched
+  std::uint64_t serial = 0;  // a new number each time the page is searched
   std::uint64_t usedAt = 0;
 
-  /// As the page was searched, whatever was read with other hints since.
+  /// The graph as found in the search of the page, whatever was read with other hints since.
   ListedGraph listed(int page, std::size_t index) const {
     const LocatedGraph& graph = located.graphs[index];
     const Found<AxisCalibration>& found =
@@ -238,12 +238,12 @@ struct ImportSession::Impl {
     Page page;
     std::uint64_t usedAt = 0;
   };
-  std::map<int, KeptPage> pages;                  // the few used last
+  std::map<int, KeptPage> pages;                  // the pages used last
   std::map<int, std::vector<PrintedSpec>> specs;  // of every page read so far
-  std::map<int, std::vector<Remark>> remarks;     // what of a page could not be read
+  std::map<int, std::vector<Remark>> remarks;     // parts of a page that could not be read
 
   using GraphsKey = std::tuple<int, bool, double>;  // page, whether its plot frame is given, magnification
-  std::map<GraphsKey, PageGraphs> graphs;           // their views within a bound
+  std::map<GraphsKey, PageGraphs> graphs;           // memory of their views is bounded
   std::uint64_t clock = 0;
 
   /// Page, number and place of the chosen graph, and the remarks on the choice.
@@ -253,7 +253,8 @@ struct ImportSession::Impl {
     std::vector<Remark> remarks;
   };
 
-  // Tracings of a graph and of the copies it is held against, kept while only later hints change.
+  // Tracings of a graph and of the possible copies it is compared with, kept as long as only later hints
+  // change.
   static constexpr std::size_t mostRivals = 4, keptTracings = 1 + mostRivals;
   struct Traced {
     std::uint64_t locatedAs = 0;
@@ -261,12 +262,13 @@ struct ImportSession::Impl {
     TraceHints hints;
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
-    std::optional<trace::PlotScene> scene = {};   // of the latest, until it is explained
-    std::optional<Explanation> explanation = {};  // once requested: names and colours need none
+    std::optional<trace::PlotScene> scene = {};  // of the latest tracing, until its remainders are explained
+    // computed on request, because names and colours do not need it
+    std::optional<Explanation> explanation = {};
   };
-  std::list<Traced> traced;              // the latest last
+  std::list<Traced> traced;              // the latest is last
   std::optional<GraphPlace> lastRead;    // by readPlot
-  std::map<ImportStep, double> seconds;  // of the steps that ran since the last import began
+  std::map<ImportStep, double> seconds;  // of the steps that have run since the last import began
 
   const std::string& name() const { return fileName; }
   std::string stem() const { return std::filesystem::path(fileName).stem().string(); }
@@ -316,8 +318,8 @@ struct ImportSession::Impl {
     return all;
   }
 
-  /// Frees views, least recently used pages first, until the rest is within the bound; never the view of
-  /// `keep`. Keeps what was found on them.
+  /// Frees views, those of the least recently used pages first, until the rest is within the bound; never the
+  /// view of `keep`. Findings on freed views are kept.
   void letViewsGo(const LocatedGraph* keep) {
     constexpr std::size_t mostBytes = std::size_t{24} << 20;
     std::vector<PageGraphs*> byAge;
@@ -364,7 +366,7 @@ struct ImportSession::Impl {
     auto found =
         locateGraphs(*document, **onPage, {key.view, key.axes, key.frame, key.magnification}, progress);
     if (!found) return found.failure();
-    if (progress.isCancelled()) return cancelled();  // half a search must not be kept for the whole
+    if (progress.isCancelled()) return cancelled();  // an interrupted search must not be stored as complete
     PageGraphs fresh{key, std::move(found).value(), {}, (*onPage)->unit, ++clock, clock};
     for (std::size_t i = 0; i < fresh.located.graphs.size(); ++i) fresh.axes.push_back({key.axes, {}});
     return &graphs.insert_or_assign(at, std::move(fresh)).first->second;
@@ -397,14 +399,16 @@ struct ImportSession::Impl {
     PageGraphs* onPage = nullptr;
     std::size_t index = 0;
     std::vector<Remark> remarks;
-    int graphCount = 1;                                // of all that could have been chosen
-    std::vector<std::pair<int, std::size_t>> rivals;   // page and index of others on equal axes
-    std::shared_ptr<LocatedGraph> mirrored = nullptr;  // what is followed where its numbers fall
+    int graphCount = 1;                               // number of graphs to choose from
+    std::vector<std::pair<int, std::size_t>> rivals;  // page and index of other graphs with equal axes
+    // the mirrored graph that is traced if the numbers fall
+    std::shared_ptr<LocatedGraph> mirrored = nullptr;
     LocatedGraph& located() const { return mirrored ? *mirrored : asRead(); }
-    LocatedGraph& asRead() const { return onPage->located.graphs[index]; }  // as it stands on the page
+    // the graph as printed, not mirrored
+    LocatedGraph& asRead() const { return onPage->located.graphs[index]; }
   };
 
-  /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons
+  /// Name of the button. In a document with several graphs it contains the graph's title, so that their names
   /// differ.
   std::string buttonName(const Choice& choice) const {
     const bool alone = document->pageCount() == 1 && choice.onPage->located.graphs.size() == 1;
@@ -412,7 +416,7 @@ struct ImportSession::Impl {
     return title.empty() ? stem() : stem() + " " + title;
   }
 
-  /// Legend, callouts and titles of the chosen graph, read once; listing does without them.
+  /// Reads legend, callouts and titles of the chosen graph, once. Listing graphs does not need them.
   void readAllTexts(LocatedGraph& graph, const Progress& progress) {
     if (graph.textsComplete) return;
     StepClock time(seconds, ImportStep::texts);
@@ -420,7 +424,7 @@ struct ImportSession::Impl {
     graph.textsComplete = !progress.isCancelled();
   }
 
-  /// Its texts read and its axes rising, a graph can be followed.
+  /// Prepares a graph for tracing: reads its texts and mirrors it if its axes fall.
   void makeReady(Choice& choice, const Progress& progress) {
     readAllTexts(choice.located(), progress);
     if (choice.mirrored) return;
@@ -428,7 +432,8 @@ struct ImportSession::Impl {
       choice.mirrored = std::make_shared<LocatedGraph>(std::move(*rising));
   }
 
-  /// The graphs of a page that its axis hints do not change: those found without hints, or the given frame's.
+  /// The graphs of a page to which axis hints apply: those found without axis hints, or that of the given
+  /// frame.
   Result<PageGraphs*> locatedBeforeHints(int number, LocateKey key, const Progress& progress) {
     const bool frameGiven = !key.frame.empty();
     const auto kept = graphs.find({number, frameGiven, key.magnification});
@@ -441,8 +446,8 @@ struct ImportSession::Impl {
     return located(number, key, progress);
   }
 
-  /// One graph of one page, its own axes read with the request's hints; nothing if the page does not have it
-  /// without hints.
+  /// One numbered graph of a page, with its axes read by the request's hints; nothing if the page without
+  /// hints does not have it.
   Result<std::optional<Choice>> chooseNumbered(const ImportRequest& request, const LocateKey& key,
                                                const Progress& progress) {
     auto onPage = locatedBeforeHints(*request.page, key, progress);
@@ -454,7 +459,7 @@ struct ImportSession::Impl {
     return std::optional<Choice>{Choice{*request.page, *request.graph, *onPage, index, {}, 1, {}}};
   }
 
-  /// The graph of a page that stands where another search found it.
+  /// The graph of a page at the place where another search found it.
   std::optional<Choice> chooseAt(const GraphPlace& place, const LocateKey& key, const Progress& progress) {
     auto onPage = located(place.page, key, progress);
     if (!onPage) return {};
@@ -464,14 +469,14 @@ struct ImportSession::Impl {
       return common.empty() ? 0 : common.area() / box.joined(place.pageBox).area();
     };
     const auto best = std::ranges::max_element(onIt, {}, shared);
-    constexpr double sameFrame = 0.5;  // of both areas together
+    constexpr double sameFrame = 0.5;  // of the joint area of both
     if (best == onIt.end() || shared(*best) < sameFrame) return {};
     const auto index = static_cast<std::size_t>(best - onIt.begin());
     if (!restoreView(place.page, **onPage, index, progress)) return {};
     return Choice{place.page, place.graph, *onPage, index, place.remarks, 1, {}};
   }
 
-  /// The requested graph, or the most certain one of the document.
+  /// The requested graph, or the one of the document with the highest confidence.
   Result<Choice> choose(const ImportRequest& request, const LocateKey& key, const Progress& progress) {
     if (request.page && request.graph && *request.graph > 0) {
       auto numbered = chooseNumbered(request, key, progress);
@@ -496,7 +501,8 @@ struct ImportSession::Impl {
       auto onPage = located(number, key, progress);
       if (!onPage) {
         if (request.page || document->pageCount() == 1 || progress.isCancelled()) return onPage.failure();
-        best.remarks.push_back(remarkOn(number, onPage.failure()));  // one broken page costs that page only
+        // an unreadable page is reported and does not end the search
+        best.remarks.push_back(remarkOn(number, onPage.failure()));
         continue;
       }
       const auto& found = (*onPage)->located.graphs;
@@ -557,7 +563,7 @@ struct ImportSession::Impl {
     trace::PlotScene scene = sceneOf(graph, onView);
     auto found = traceCurves(graph.view, scene, graph.axes, onView, options, progress);
     if (!found) return found.failure();
-    if (progress.isCancelled()) return cancelled();  // half a tracing must not be kept for the whole
+    if (progress.isCancelled()) return cancelled();  // an interrupted tracing must not be stored as complete
     if (traced.size() == keptTracings) traced.pop_front();
     traced.push_back(
         {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()});
@@ -565,7 +571,7 @@ struct ImportSession::Impl {
     return &traced.back().traces;
   }
 
-  /// Unexplained pixels of these kept tracings of the chosen graph; nothing of others.
+  /// Unexplained pixels of these tracings of the chosen graph, if they are kept; empty otherwise.
   Explanation explanationOf(const std::vector<CurveTrace>* curves, const Choice& choice) {
     const auto kept =
         std::ranges::find_if(traced, [&](const Traced& each) { return &each.traces == curves; });
@@ -580,7 +586,7 @@ struct ImportSession::Impl {
     return *kept->explanation;
   }
 
-  /// A graph read up to its strokes, for holding copies against each other.
+  /// A graph read up to its strokes, for comparing copies.
   struct CopyReading {
     Choice choice;
     StrokePair strokes;
@@ -602,7 +608,7 @@ struct ImportSession::Impl {
     return CopyReading{choice, std::move(strokes->value), rank};
   }
 
-  /// Graphs on equal axes that show the same curves are copies: the better one is chosen, and it is said.
+  /// Finds graphs on equal axes with the same curves: copies. Chooses the better one and adds a remark.
   void preferBetterCopy(Choice& choice, const ImportRequest& request, const LocateKey& key,
                         const TraceOptions& options, const Progress& progress) {
     if (choice.rivals.empty()) return;
@@ -644,7 +650,7 @@ struct ImportSession::Impl {
                                {RemedyKind::importAll, "for each"}}});
   }
 
-  /// State of an import that stops here: enough for a person to see where it failed.
+  /// The attempt of an import that stops here, with the evidence that shows a person where it failed.
   ImportAttempt stopped(Failure why, const Choice& choice, const std::vector<CurveTrace>& curves,
                         Explanation explanation) const {
     const LocatedGraph& graph = choice.located();
@@ -663,8 +669,8 @@ struct ImportSession::Impl {
     return f;
   }
 
-  /// Class of the page the choice lies on. A levelled view counts as a photograph: its light was evened, so
-  /// its pixels do not show a camera any more. Averaged views show no grain, so the page's own pixels decide.
+  /// Class of the page that contains the choice. A levelled view is a photograph, although its evened light
+  /// hides that. Averaged views show no grain, so the page's own pixels decide.
   PageClass classOf(const Choice& choice, const StrokePair& strokes, const Progress& progress) {
     const PageView& view = choice.located().view;
     if (strokes.press.fromVector) return PageClass::vector;
@@ -684,7 +690,7 @@ struct ImportSession::Impl {
   ImportAttempt readAgain(const ImportRequest& request, const Progress& progress);
   ImportAttempt readPlot(const ImportRequest& request, const PlotSettings& plotSettings,
                          const Progress& progress);
-  /// A graph whose curves leave its frame, read once more in a wider one.
+  /// A graph whose curves leave its frame, read again in a wider one.
   struct Wider {
     LocatedGraph graph;
     std::vector<CurveTrace> curves;
@@ -722,7 +728,8 @@ Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportReques
   return switchesAmong(**curves);
 }
 
-/// Steps whose result nothing can replace end once the limit has passed, as if cancelled.
+/// Progress that reports a cancellation once the limit has passed, for steps without which there is no
+/// result.
 Progress limited(const Progress& progress, const std::optional<TimeLimit>& limit) {
   Progress bothSteps = progress;
   if (limit) bothSteps.cancelled = [progress, limit] { return progress.isCancelled() || limit->passed(); };
@@ -736,7 +743,7 @@ Failure ImportSession::Impl::tookTooLong(const TimeLimit& limit) const {
       {{RemedyKind::advice, Message("Choose a lower level of quality")}, {RemedyKind::raiseLimit, {}}});
 }
 
-/// Of a level what still has to be once its time is over.
+/// The settings of a level, reduced to the necessary steps after its time has ended.
 QualitySettings cutShort(QualitySettings settings) {
   settings.refineAxes = false;
   settings.fit = FitEffort::draft;
@@ -776,7 +783,7 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   return attempt;
 }
 
-/// The page as it is and at other sizes; what all come to.
+/// Reads the page as it is and at other sizes, and combines the readings.
 ImportAttempt ImportSession::Impl::readAgain(const ImportRequest& request, const Progress& progress) {
   ImportRequest openly = request;
   openly.acceptDoubt = true;
@@ -792,7 +799,7 @@ ImportAttempt ImportSession::Impl::readAgain(const ImportRequest& request, const
   const std::optional<GraphPlace> place = lastRead;
   if (!anotherMaySettle(first.attempt)) return withDoubtsJudged(std::move(first.attempt), request);
   auto itsPage = page(place ? place->page : request.page.value_or(1), progress);
-  // A reading that did not find the page of a document does not find it at another size either.
+  // If a reading did not find the graph's page of a document, another size does not find it either.
   const bool anywhere = !place && !request.page && document->pageCount() > 1;
   if (anywhere || !itsPage) return withDoubtsJudged(std::move(first.attempt), request);
   const OtherSizes sizes = otherSizesOf(**itsPage);
@@ -805,7 +812,7 @@ ImportAttempt ImportSession::Impl::readAgain(const ImportRequest& request, const
   return withDoubtsJudged(std::move(best), request);
 }
 
-/// A reading made with doubts accepted, for a caller who does not accept them.
+/// Judges a reading that was made with doubts accepted, for a caller who does not accept them.
 ImportAttempt ImportSession::Impl::withDoubtsJudged(ImportAttempt attempt,
                                                     const ImportRequest& request) const {
   if (!attempt.report || !attempt.report->doubt || request.acceptDoubt) return attempt;
@@ -854,7 +861,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   const std::vector<CurveTrace> none;
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none, {});
-  if (!curves) curves = &none;  // the person drew what could not be traced
+  if (!curves) curves = &none;  // the person has drawn what could not be traced
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
     StepClock time(seconds, ImportStep::strokes);
@@ -863,7 +870,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
         request.hints.drawn, graph);
   }();
   std::optional<Wider> wider;
-  // Strokes that the frame cuts may resemble two switches' there.
+  // Strokes that the frame cuts may resemble those of two switches, so a wider frame is tried.
   if (request.hints.frame.empty() && request.hints.drawn.press.empty() && request.hints.drawn.release.empty())
     wider = readWider(graph, **curves, request, settings.trace, progress);
   const Explanation explanation = wider ? std::move(wider->explanation) : explanationOf(*curves, *choice);
@@ -877,7 +884,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   step(0.75, ImportStep::refine);
   const LocatedGraph* const read = wider ? &wider->graph : &graph;
   std::optional<RefinedAxes> refined;
-  std::optional<LocatedGraph> refinedGraph;  // the session keeps the graph as it was read
+  std::optional<LocatedGraph> refinedGraph;  // the session keeps the graph as it was first read
   if (settings.refineAxes && !strokes->value.press.fromVector) {
     StepClock time(seconds, ImportStep::refine);
     refined = refineAxes(graph.view, graph.frame.value, graph.axes.calibration.value, progress);
@@ -931,7 +938,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
 
 namespace {
 
-/// The contact points a log keeps, as a page would call them out.
+/// The contact points recorded in a log, in the form of a page's callouts.
 std::vector<Callout> contactsOf(const ForceLog& log) {
   std::vector<Callout> contacts;
   if (log.operatingPoint_mm)
@@ -945,7 +952,7 @@ LogHints logHintsOf(const ImportHints& hints) {
           hints.strokes.curve, hints.columns,    hints.releasePath};
 }
 
-/// Mean distance of a stroke's samples from its fit along force, as a share of its force span.
+/// Mean distance of a stroke's samples from its fit, in force, as a share of its force span.
 double misfitOf(const StrokePoints& stroke, const StrokeCurve& fitted) {
   if (stroke.points.size() < 2) return 0;
   const auto [lowest, highest] = std::ranges::minmax(stroke.points, {}, &CurvePoint::force_N);
@@ -956,7 +963,7 @@ double misfitOf(const StrokePoints& stroke, const StrokeCurve& fitted) {
   for (std::size_t i = 0; i < stroke.points.size(); i += every) {
     const CurvePoint& p = stroke.points[i];
     if (p.displacement_mm < fitted.start_mm() || p.displacement_mm > fitted.end_mm()) continue;
-    // At a jump either side is right.
+    // At a jump the forces of both sides are right.
     sum_N += std::min(std::abs(fitted.force_N(p.displacement_mm) - p.force_N),
                       std::abs(fitted.forceBefore_N(p.displacement_mm) - p.force_N));
     count += 1;
@@ -1018,8 +1025,8 @@ ImportAttempt ImportSession::Impl::importLog(const ImportRequest& request, const
   return attempt;
 }
 
-/// The choices of a question that lead to an accepted result, each tried by `isAccepted` with its hints;
-/// nullopt: none does.
+/// Keeps the choices of a question that lead to an accepted result; `isAccepted` tries each with its hints.
+/// nullopt if none does.
 std::optional<Question> ImportSession::Impl::tried(
     const Question& question, const ImportRequest& request, const Progress& progress,
     const std::function<bool(const ImportRequest&)>& isAccepted) {
@@ -1035,8 +1042,8 @@ std::optional<Question> ImportSession::Impl::tried(
   return left.choices.empty() ? std::nullopt : std::optional(std::move(left));
 }
 
-/// The question about a refused log. Tried as drafts: the level changes how a log is fitted, not how it is
-/// read.
+/// The question about a refused log. Choices are tried as drafts, because the level changes how a log is
+/// fitted, not how it is read.
 std::optional<Question> ImportSession::Impl::triedOnLog(const Question& question,
                                                         const ImportRequest& request,
                                                         const Progress& progress) {
@@ -1090,7 +1097,8 @@ Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,
       log->remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
     provenance.confidence = std::min(provenance.confidence, each.confidence);
   }
-  // Impossible values are a better reason than an unlikely log. Ambiguity comes first: a user can answer it.
+  // Impossible values are a better reason for a refusal than an unlikely log. Ambiguity comes first, because
+  // the user can resolve it.
   if (isAmbiguous)
     gravest = Doubt{DoubtCode::assumed,
                     {Message("the table can be read in several ways: %1", question->what)},
@@ -1189,7 +1197,7 @@ Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, 
       if (!onlyThisPage || progress.isCancelled()) return located.failure();
       if (!firstFault) firstFault = located.failure();
       ++unreadable;
-      continue;  // one broken page costs that page only, and is named
+      continue;  // an unreadable page is named and does not end the list
     }
     const LocatedPage& onPage = (*located)->located;
     for (std::size_t i = 0; i < onPage.graphs.size(); ++i)

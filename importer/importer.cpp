@@ -59,7 +59,7 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
     case RemedyKind::chooseSwitch:
       return !hints.strokes.curve.empty();
     default:
-      return false;  // masks and words can be given again
+      return false;  // masks and words can be added again
   }
 }
 

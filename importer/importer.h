@@ -56,12 +56,12 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
-/// Remedies that the user has not supplied yet: a remedy that was given and left the doubt as it was is not
-/// offered again. If nothing else is left: drawing the strokes by hand, then accepting the doubt.
+/// Remedies that the user has not supplied yet. A remedy that was supplied and did not remove the doubt is
+/// not offered again. If none is left: drawing the strokes by hand, then accepting the doubt.
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
 
-/// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets
-/// another bar. Set from the corpus (docs/develop/decisions/0800-import-confidence.md).
+/// Default of ImportRequest::sure: an import with less confidence fails with notCertain (exit code 5) and the
+/// options to pass. Set from the corpus (docs/develop/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
@@ -86,15 +86,15 @@ struct ImportRequest {
   Quality quality = Quality::standard;
   ImportHints hints;
   PageLimits limits;
-  double sure = confidenceBar;  ///< 0..1: what is less certain is refused
-  /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not
-  /// as a Failure.
+  double sure = confidenceBar;  ///< 0..1: an import with less confidence is refused
+  /// For callers that show doubts to a person: a result below `sure` comes back as a report with its `doubt`,
+  /// not as a Failure.
   bool acceptDoubt = false;
-  /// After this limit the results so far are taken, with a remark; without any, the failure is
-  /// unreadableInput.
+  /// When this limit has passed, the best result so far is returned with a remark. If there is none, the
+  /// failure is unreadableInput.
   std::optional<TimeLimit> timeLimit;
-  /// A refused graph comes back with the question that would settle it. Each choice costs an import, of which
-  /// only the steps that it changes run.
+  /// A refused graph comes back with the question whose answer would make it acceptable. Each choice is tried
+  /// by an import that repeats only the steps it changes.
   bool asks = false;
 };
 
@@ -108,18 +108,18 @@ struct ListedGraph {
   double confidence = 0;
 };
 
-/// A rectangle of lines on a page that could hold a graph but was not listed, and why.
+/// A rectangle of lines that could hold a graph but was not listed, with the reason.
 struct RejectedFrame {
   Box frame;  ///< page units
   int quarterTurns = 0;
   Failure why;
 };
 
-/// The graphs of pages. If several pages were requested, one that cannot be read costs only itself, unless it
-/// is the only one.
+/// The graphs of pages. If several pages were requested, an unreadable one becomes a remark; if only one was
+/// requested, it is a Failure.
 struct GraphList {
   std::vector<ListedGraph> graphs;      ///< reading order
-  std::vector<RejectedFrame> rejected;  ///< looked at and not listed
+  std::vector<RejectedFrame> rejected;  ///< examined and not listed
   std::vector<Remark> remarks;          ///< what could not be read: broken images, broken pages
 };
 
@@ -136,11 +136,12 @@ struct GraphEvidence {
   PageView view;
   PlotFrame frame;
   AxesFound axes;
-  std::vector<CurveTrace> traces;  ///< empty if it did not come so far
+  std::vector<CurveTrace> traces;  ///< empty if the import failed before tracing
   std::vector<PlotSwitch>
       switches;             ///< among the traces, numbered from 1; several: StrokeHints::curve takes one
-  Explanation explanation;  ///< what of the plot the curves, its lines and its words leave over
-  std::vector<StepFinding> steps;  ///< those that ran, in flow order; an import is as sure as its weakest
+  Explanation explanation;  ///< pixels of the plot that neither curves nor its lines nor words explain
+  /// the steps that ran, in flow order; the import's confidence is that of the least certain one
+  std::vector<StepFinding> steps;
 };
 
 struct StrokeReport {
@@ -151,36 +152,36 @@ struct StrokeReport {
 /// One reading of a graph and its result. `precise` reads more than once (importer/second_opinion.h).
 struct ReadingSummary {
   double magnification =
-      1;                  ///< a picture was looked at so many times its size, a document drawn as much finer
-  double confidence = 0;  ///< 0..1; 0 where nothing was read
-  std::optional<double> travel_mm, highest_N;  ///< of the press; empty where nothing was read
+      1;  ///< magnification of this reading: pictures are enlarged, documents drawn finer by this factor
+  double confidence = 0;                       ///< 0..1; 0 if the reading failed
+  std::optional<double> travel_mm, highest_N;  ///< of the press; empty if the reading failed
   bool release = false;
-  Message problem;     ///< why it was not certain; empty: it was
+  Message problem;     ///< the reason why it was not certain; empty if it was certain
   bool taken = false;  ///< the report is of this reading
 };
 
-/// The result of an import. Usable as it is: anything not certain enough came back as a Failure instead, or
-/// is named in `doubt` if the request allowed that.
+/// The result of an import. It is usable as it is: a result below the required confidence is a Failure, or is
+/// named in `doubt` if the request allowed that.
 struct ImportReport {
   explicit ImportReport(Button imported) : button(std::move(imported)) {}
 
   Button button;
   StrokePair strokes;  ///< as traced, before the fit
   int page = 1, graph = 1;
-  std::optional<std::size_t> curve;  ///< of several switches in the plot the one taken, from 1
+  std::optional<std::size_t> curve;  ///< number of the switch that was taken, from 1, if the plot has several
   std::optional<AxisReading> x, y;   ///< empty for force logs
   StrokeReport press;
   std::optional<StrokeReport> release;
-  std::vector<Callout> callouts;       ///< operating and reset points that the page points at
-  std::vector<SpecCheck> specChecks;   ///< values printed on the page, beside what was read
+  std::vector<Callout> callouts;       ///< operating and reset points that callouts of the page mark
+  std::vector<SpecCheck> specChecks;   ///< values printed on the page, compared with those of the graph
   std::optional<PageClass> pageClass;  ///< empty for force logs
   double confidence = 0;
-  std::optional<Doubt> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
+  /// only with ImportRequest::acceptDoubt: the reason for the doubt, and what to do
+  std::optional<Doubt> doubt;
   Quality quality = Quality::standard;
   std::map<ImportStep, double> seconds;  ///< per step that ran; steps whose result was kept are not in it
-  std::vector<ReadingSummary>
-      readings;                   ///< in the order they were made; empty where one was all there was to be
-  bool endedByTimeLimit = false;  ///< ImportRequest::timeLimit passed: more could have been done
+  std::vector<ReadingSummary> readings;  ///< in the order they were made; empty if one reading was enough
+  bool endedByTimeLimit = false;         ///< ImportRequest::timeLimit passed before all work was done
   std::vector<Remark> remarks;
   std::optional<StrokeSpeed> pressSpeed, releaseSpeed;  ///< of force logs with a column of times
   std::shared_ptr<const GraphEvidence> evidence;        ///< null for force logs
@@ -190,20 +191,20 @@ struct ImportReport {
 /// Adds the option of a question's choice to the hints. Returns false if no question offers this option.
 bool takeUp(const Choice& choice, ImportHints& hints);
 
-/// An import, and what it looked at even where it failed.
+/// An import and its evidence, which is present even if the import failed.
 struct ImportAttempt {
   Result<ImportReport> report;
-  /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no
-  /// frame was found and for force logs.
+  /// Evidence of the report; of a failed import what was found before it failed: frame and axes, and curves
+  /// if they were traced. Null if no frame was found, and for force logs.
   std::shared_ptr<const GraphEvidence> evidence;
-  /// Where a person's answer would settle it. Each choice was tried and leads to an accepted result. Of
-  /// graphs on pages only if ImportRequest::asks.
+  /// A question whose answer would settle the failure. Each choice was tried and leads to an accepted result.
+  /// For graphs on pages only if ImportRequest::asks.
   std::optional<Question> question = {};
   std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
 };
 
-/// An open input that is imported again and again while hints change: a step is recomputed only if something
-/// it depends on changed. Results are kept; pages and pixels are kept within a bound on memory
+/// An open input that is imported repeatedly while hints change: a step is recomputed only if something it
+/// depends on has changed. Results are kept; the memory for pages and pixels is bounded
 /// (docs/develop/decisions/1020-memory-of-imports.md). One thread at a time; `Progress::cancelled` may be
 /// called from it.
 class ImportSession {
@@ -222,16 +223,15 @@ class ImportSession {
   /// Graphs of one page, or of all without a number.
   Result<GraphList> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                          const ImportHints& hints = {}, const Progress& progress = {});
-  /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty
-  /// where it is not clear which curves belong together. Traces the graph; what a later import needs of that
-  /// is kept.
+  /// The switches that a listed graph shows (usually one), for choosing one by StrokeHints::curve; empty if
+  /// it is not clear which curves belong together. Traces the graph and keeps the result for a later import.
   Result<std::vector<PlotSwitch>> switches(const ListedGraph& graph, Quality quality = Quality::standard,
                                            const ImportHints& hints = {}, const Progress& progress = {});
-  /// `path` and `limits` of the request are those of the session. With `page` and `graph`, the axis hints
-  /// belong to that graph alone and numbers count as `list` without hints does; with a given frame `graph`
-  /// only names it.
+  /// `path` and `limits` of the request are ignored: the session has its own. With `page` and `graph`, the
+  /// axis hints apply to that graph alone, and graphs are numbered as by `list` without hints; with a given
+  /// frame, `graph` only names it.
   Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
-  /// The same, for programs that show people where it went wrong.
+  /// The same with the evidence, for programs that show people where an import failed.
   ImportAttempt attempt(const ImportRequest& request, const Progress& progress = {});
 
   ImportSession(ImportSession&&) noexcept;
@@ -244,8 +244,8 @@ class ImportSession {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Loads the engine that reads text off pictures for this thread, which the first import that needs it would
-/// do (about 60 ms); processes forked afterwards share it.
+/// Loads the engine that reads text from pictures for this thread (about 60 ms). Otherwise the first import
+/// that needs it does so. Processes forked afterwards share it.
 void loadTextEngine();
 
 }  // namespace detent::importer

@@ -13,11 +13,11 @@
 namespace detent::importer {
 namespace {
 
-/// Below this a listed graph would more often be a dimension drawing than a force graph
+/// Below this confidence a listed graph would more often be a dimension drawing than a force graph
 /// (docs/develop/decisions/0800-import-confidence.md).
 constexpr double listBar = 0.3;
 
-/// The graph read again in the frame that its numbers ask for, if that explains more of them.
+/// Reads the graph again in the frame that its numbers indicate, if that explains more of them.
 std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& page,
                                       const LocateOptions& options, const Progress& progress) {
   const auto widened = frameByNumbers(graph.view, graph.frame.value, graph.axes.calibration.value);
@@ -57,12 +57,12 @@ PlotFrame frameInView(const PlotFrame& frame, const Homography& toView) {
   return moved;
 }
 
-/// A frame of a picture keeps as many: with 1000 x 700 its lines and numbers are as sharp as in most pictures
-/// of plots.
+/// Pixels that remain of a frame in a large picture: with 1000 x 700, lines and numbers are as sharp as in
+/// most pictures of plots.
 constexpr double leastFramePixels = 7e5;
 
-/// View of a region around the candidate. Averages pixels of a picture whose frame is larger than tracing
-/// needs.
+/// View of a region around the candidate. The pixels of a picture are averaged if its frame is larger than
+/// tracing needs.
 Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
                         const FrameCandidate& candidate, const ViewOptions& options,
                         const Progress& progress) {
@@ -78,7 +78,7 @@ Result<PageView> viewOf(const Document& document, const Page& page, const Box& r
   return view;
 }
 
-/// Titles that the plot's own view cuts: units that were not found are looked for farther out.
+/// Searches for missing units farther out, because titles may lie outside the plot's own view.
 void searchFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
                            const LocateOptions& options, const Progress& progress) {
   constexpr double farther = 0.4;  // of the region's size, on every side
@@ -132,7 +132,7 @@ RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGra
                     source, "plot frame")};
 }
 
-/// Candidates that stand where no graph was located.
+/// Candidates at places where no graph was located.
 std::vector<Found<FrameCandidate>> besideLocated(std::vector<Found<FrameCandidate>> candidates,
                                                  const std::vector<LocatedGraph>& graphs) {
   std::erase_if(candidates, [&](const Found<FrameCandidate>& candidate) {
@@ -143,15 +143,15 @@ std::vector<Found<FrameCandidate>> besideLocated(std::vector<Found<FrameCandidat
   return candidates;
 }
 
-/// From the top of the page to the bottom, side by side from the left.
+/// Reading order: from the top of the page to the bottom, and from left to right.
 bool readsBefore(const LocatedGraph& a, const LocatedGraph& b) {
   const Box &p = a.candidate.value.pageBox, &q = b.candidate.value.pageBox;
   return p.y1 <= q.y0 || (q.y1 > p.y0 && p.x0 < q.x0);
 }
 
-/// Opposite edges that lean apart: the sheet was photographed.
+/// Returns true if opposite edges have different tilts: the sheet was photographed.
 bool anyKeystoned(const std::vector<LocatedGraph>& graphs) {
-  constexpr double leastApart = 0.006;  // of a slope; scanners and rounding stay below
+  constexpr double leastApart = 0.006;  // of a slope; scanners and rounding cause less
   return std::any_of(graphs.begin(), graphs.end(), [](const LocatedGraph& graph) {
     const auto& c = graph.frame.value.corners;
     const Box box = graph.frame.value.box();
@@ -160,7 +160,8 @@ bool anyKeystoned(const std::vector<LocatedGraph>& graphs) {
   });
 }
 
-/// Of two rejections the more telling one: doubt about numbers that were read beats "no numbers".
+/// Of two rejections, returns true if the first is more informative: a doubt about numbers that were read
+/// rather than "no numbers".
 bool moreTelling(const Failure& a, const std::optional<Failure>& b) {
   return !b || (a.code == FailureCode::notCertain && b->code != FailureCode::notCertain);
 }
@@ -214,12 +215,12 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
   const auto readByRegion = [&](const std::optional<Homography>& levelToPage) {
     const FrameSearch search{PaperBy::region, levelToPage, magnification};
     readAll(findPlotFrames(page, search, progress));
-    // Where lines are as faint as to get here, those of a second graph may be lost.
+    // On a page with such faint lines, the lines of a second graph may not have been found.
     readAll(besideLocated(findPlotsByNumbers(page, search, progress), located.graphs));
     std::stable_sort(located.graphs.begin(), located.graphs.end(), readsBefore);
   };
   const FrameSearch upright{PaperBy::region, Homography{}, magnification};
-  // A document's junk pages are many, and none of the vendors' at hand has papers of two colours.
+  // Not for documents: they have many pages without graphs, and no known vendor uses paper of two colours.
   if (located.graphs.empty() && picture && frameGiven) {
     for (auto& candidate : candidates) candidate.value.paper = PaperBy::region;
     readAll(candidates);
@@ -228,11 +229,11 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     if (const auto sheet = photographedSheet(page)) readByRegion(sheet);
     if (located.graphs.empty()) located.graphs = askew;
     if (located.graphs.empty()) readByRegion({});
-    // Without a drawn axis, the tilt was measured from the curves.
+    // The page has no drawn axis, so its tilt was measured from the curves and is wrong.
     if (located.graphs.empty()) readAll(findPlotsByNumbers(page, upright, progress));
   } else if (located.graphs.empty() && !frameGiven && document.pageCount() == 1) {
     readAll(findPlotsByNumbers(page, upright, progress));
-    // A sheet without a graph has numbers in rows and columns, too.
+    // A sheet without a graph may have numbers in rows and columns too.
     std::erase_if(located.graphs, [](const LocatedGraph& graph) {
       const AxisCalibration& c = graph.axes.calibration.value;
       return !c.x.unitFound || !c.y.unitFound;

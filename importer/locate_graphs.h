@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Pages -> graphs that stand on two calibrated axes: frame and axes steps run over every candidate of a page.
+// From pages to graphs with two calibrated axes: runs the frame and axes steps on every candidate of a page.
 
 #include <vector>
 
@@ -18,10 +18,10 @@ struct LocatedGraph {
   PageView view;
   Found<PlotFrame> frame;
   AxesFound axes;
-  bool textsComplete = false;  ///< readGraphTexts has been here
-  /// Sure that this is a force graph read with the right axes; 0..1.
+  bool textsComplete = false;  ///< readGraphTexts has run
+  /// Confidence that this is a force graph read with the right axes; 0..1.
   double confidence() const;
-  /// The two steps behind it: plot frame, axes.
+  /// Findings of the two steps so far: plot frame and axes.
   std::vector<StepFinding> findings() const;
 };
 

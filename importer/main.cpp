@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-import: from a plot, a datasheet page or a force meter's log to a button. Parses, calls the front
-// door, prints.
+// detent-import: from a plot, a datasheet page or a force meter's log to a button. Parses the command line,
+// calls the importer's public interface, prints the result.
 
 #include <atomic>
 #include <csignal>

@@ -9,13 +9,12 @@ Result<StrokeCurve> startingAtRest(const StrokeCurve& curve) {
   if (curve.start_mm() >= 0) return curve;
   const std::vector<Knot>& before = curve.knots();
   std::vector<Knot> knots = before;
-  std::size_t atRest = 0;  // how many knots end up at 0 mm
+  std::size_t atRest = 0;  // number of knots that are moved to 0 mm
   for (std::size_t i = 0; i < knots.size(); ++i) {
     knots[i].displacement_mm = std::max(knots[i].displacement_mm, 0.0);
     if (knots[i].displacement_mm <= 0) ++atRest;
     if (i == 0) continue;
-    // A piece squeezed along displacement gets steeper by the same factor; upright ones have no slope to
-    // keep.
+    // A piece compressed along displacement becomes steeper by the same factor; a vertical one has no slope.
     const double width_mm = before[i].displacement_mm - before[i - 1].displacement_mm;
     const double squeezed_mm = knots[i].displacement_mm - knots[i - 1].displacement_mm;
     const double factor = squeezed_mm > 0 ? width_mm / squeezed_mm : 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Plots whose numbers fall to the right or upwards (travel from right to left, force downwards) are mirrored
-// before their curves are followed: everything after the axes counts on a press that begins at the left and a
-// force that grows upwards. Any thread.
+// Mirrors plots whose numbers fall to the right or upwards (travel from right to left, force downwards)
+// before their curves are traced. All later steps require a press that begins at the left and a force that
+// grows upwards. Any thread.
 
 #include <optional>
 
@@ -10,9 +10,9 @@
 
 namespace detent::importer {
 
-/// The graph as in a mirror, so that both scales rise; the map to the page turns with it. Empty if they rise
-/// already, and if both fall or the view was turned: no program draws so. Texts must have been read: mirrored
-/// text cannot be.
+/// The mirrored graph, in which both scales rise, with its map to the page adjusted. Empty if the scales rise
+/// already, if both fall, or if the view was turned, because no program draws such plots. Texts must be read
+/// before, because mirrored text cannot be read.
 std::optional<LocatedGraph> mirroredToRise(const LocatedGraph& graph);
 
 }  // namespace detent::importer

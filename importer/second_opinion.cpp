@@ -12,24 +12,25 @@
 namespace detent::importer {
 namespace {
 
-/// Confidence of a reading that another one contradicts, both certain: below any bar that a person would
-/// choose, and above 0, for one of them is usually right.
+/// Confidence of a certain reading that another certain one contradicts: below any limit that a person would
+/// choose, but above 0, because one of them is usually right.
 constexpr double contradictedConfidence = 0.4;
-/// Of two certain readings that differ the one that is surer by so much stands: of 107 charts of foreign
-/// software each that differed was such a pair, and its surer one right.
+/// Of two certain readings that differ, the one with a confidence higher by this much is kept. Among 107
+/// charts of foreign software, every differing pair was of this kind, and the one with the higher confidence
+/// was right.
 constexpr double surerBy = 0.1;
-/// Pictures with more pixels than these are not enlarged to four times as many, or at all: the cost of a
+/// Pictures with more pixels are not enlarged to four times as many, or not at all, because of the cost of a
 /// second reading.
 constexpr double enlarged_px = 1.2e6, large_px = 6e6;
 
-/// Doubts about what stands on the page, not about how it was seen.
+/// Doubts about the content of the page, which do not depend on how it was read.
 constexpr std::array standOnThePage{DoubtCode::severalSwitches,  DoubtCode::tooManyCurves,
                                     DoubtCode::otherQuantity,    DoubtCode::otherScale,
                                     DoubtCode::thousandsUnclear, DoubtCode::valueContradicts};
-/// Largest confidence of a reading that replaces another: below the 0.9 from which one reading carries a
-/// promise.
+/// Largest confidence of a reading that replaces another: below 0.9, from which on the confidence of a single
+/// reading is guaranteed.
 constexpr double takenAtMost = 0.8;
-/// Factor of the steps' confidence on a photograph that three readings agree on: counted,
+/// Factor of the confidence on a photograph on which three readings agree. Measured:
 /// docs/develop/decisions/0812.
 constexpr double worthOnPhotosReadAlike = 0.85;
 
@@ -39,7 +40,7 @@ double highest_N(const ImportReport& report) {
 
 double travel_mm(const ImportReport& report) { return report.button.states().front().graph.travel_mm(); }
 
-/// Description of a reading that distinguishes it from another.
+/// Short description that distinguishes one reading from another.
 Message inShort(const ImportReport& report) {
   const MessageValue travel = millimetres(travel_mm(report)), force = newtons(highest_N(report));
   if (!report.release) return Message("%1 and up to %2, without a release", travel, force);
@@ -73,7 +74,7 @@ ReadingSummary summaryOf(const PageReading& reading) {
   return summary;
 }
 
-/// The report with what it was made with changed: provenance keeps confidence and warnings.
+/// The report with its provenance adapted to the changed confidence and warnings.
 ImportReport withProvenance(ImportReport report) {
   Provenance provenance = report.button.provenance().value_or(Provenance{});
   provenance.confidence = report.confidence;
@@ -83,7 +84,7 @@ ImportReport withProvenance(ImportReport report) {
   return report;
 }
 
-/// A reading that another certain one contradicts.
+/// The report of a reading that another certain one contradicts.
 ImportReport reportContradicted(ImportReport report, const ImportReport& other, double sure) {
   Doubt doubt = readingsDiffer(report, other);
   const bool surer = report.confidence >= other.confidence + surerBy;
@@ -101,7 +102,7 @@ bool agreesOnPhoto(const Result<ImportReport>& report, const ImportAttempt& othe
          (!other.report->doubt || isPhotograph(*other.report)) && sameButton(*report, *other.report);
 }
 
-/// A photograph that several readings agree on is worth more than one that was read once.
+/// Raises the confidence of a photograph on which several readings agree.
 ImportReport readAlike(ImportReport report, double sure) {
   report.confidence *= worthOnPhotosReadAlike / worthOf(PageClass::photo);
   if (report.confidence < sure) return withProvenance(std::move(report));

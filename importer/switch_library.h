@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Front door of the library: thousands of measured switches in one file, found by feel. Apart from
-// importer/importer.h, so that who only imports carries no database. A library built without
-// DETENT_WITH_LIBRARY has none of it.
+// Public interface of the library: thousands of measured switches in one file, searchable by feel. Separate
+// from importer/importer.h, so that programs that only import need no database. Empty in builds without
+// DETENT_WITH_LIBRARY.
 
 #include "importer/library/feel_map.h"
 #include "importer/library/find_switches.h"

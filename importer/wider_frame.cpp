@@ -12,18 +12,18 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t tail = 12;  // points of a curve that say where it leads
+constexpr std::size_t tail = 12;  // last points of a curve, from which its direction follows
 
 /// Extent of a curve's pixels.
 struct Reach {
   int right_px = 0, top_px = 0;
 };
 
-/// End of the pixels that begin on a curve, its own or those of others which cover it, beyond the frame's
-/// right edge, and beyond its upper one if `most_px.y` is above 0; empty if they do not end within `most_px`.
+/// End of the pixels that continue a curve beyond the frame's right edge and, if `most_px.y` is above 0, its
+/// upper one: its own pixels, or those of curves that cover it. Empty if they do not end within `most_px`.
 std::optional<Reach> pixelsEndAt(const CurveTrace& curve, const std::vector<CurveTrace>& all,
                                  const Box& frame, Point most_px, const Raster& picture) {
-  constexpr int reach = 2;  // over what a line's edge or a pale gridline takes out of it
+  constexpr int reach = 2;  // width that the edge of a line or a pale gridline may interrupt
   const int last = static_cast<int>(std::min(frame.x1 + most_px.x, picture.width_px - 2.0));
   const int first = static_cast<int>(frame.x1) - 3, below = static_cast<int>(frame.y0) + 3;
   const bool upwards = most_px.y > 0;
@@ -53,10 +53,10 @@ std::optional<Reach> pixelsEndAt(const CurveTrace& curve, const std::vector<Curv
   return ends;
 }
 
-/// Returns true if pixels connected with a curve's end lie to the right of it and above: a bottom-out that
-/// begins just beyond the edge is no straight continuation of the level line that came there.
+/// Returns true if connected pixels lie to the right of a curve's end and above it: a bottom-out that begins
+/// just beyond the edge, not a straight continuation of the horizontal line that arrived there.
 bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
-  constexpr int nearest_px = 4, farthest_px = 14;  // to the right: a frame's own line ends before
+  constexpr int nearest_px = 4, farthest_px = 14;  // to the right: the frame's own line ends before this
   constexpr int riseHeight_px = 12;
   const int x0 = static_cast<int>(std::lround(end.x)), y0 = static_cast<int>(std::lround(end.y));
   std::set<std::pair<int, int>> seen;
@@ -76,7 +76,7 @@ bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
   return false;
 }
 
-/// Pixels from one number of an axis to the next, the least there is; 0 where fewer than two were read.
+/// Smallest distance in pixels between neighbouring tick labels; 0 if fewer than two were read.
 double stepOf(const AxisReading& axis) {
   std::vector<double> at;
   for (const TickLabel& tick : axis.ticks)
@@ -88,8 +88,8 @@ double stepOf(const AxisReading& axis) {
   return step;
 }
 
-/// The last number that was read above the frame, of its line; the frame's edge where none was. Writing over
-/// the plot hides gridlines and curves, the numbers beside them stand.
+/// Row of the last number that was read above the frame; the frame's edge if there is none. Text over the
+/// plot may hide gridlines and curves, but not the numbers beside it.
 double lastNumberAbove_px(const AxisReading& y, const Box& frame) {
   double last_px = frame.y0;
   for (const TickLabel& tick : y.ticks)
@@ -98,7 +98,8 @@ double lastNumberAbove_px(const AxisReading& y, const Box& frame) {
 }
 
 bool standsLevel(const PlotFrame& frame) {
-  constexpr double most_px = 1.5;  // an area cut out along rows and columns takes no more
+  // the edge of an area that was masked along rows and columns covers no more
+  constexpr double most_px = 1.5;
   const auto& [topLeft, topRight, bottomRight, bottomLeft] = frame.corners;
   return std::max({std::abs(topLeft.y - topRight.y), std::abs(bottomLeft.y - bottomRight.y),
                    std::abs(topLeft.x - bottomLeft.x), std::abs(topRight.x - bottomRight.x)}) <= most_px;
@@ -114,7 +115,7 @@ bool isContradicted(const LocatedGraph& graph) {
 bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
   constexpr int reach = 2;
   if (curve.size() < 2) return false;
-  // A document's points lie as far apart as they may.
+  // The points of a document's path may lie far apart.
   std::size_t from = curve.size() - 1;
   while (from > 0 && distance(curve[from], curve.back()) < tail) --from;
   const Point end = curve.back(), before = curve[from];
@@ -137,13 +138,13 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
   constexpr double atEdge_px = 2, mostShare = 0.2, roomShare = 0.01, leastRoom_px = 3;  // shares of the width
   constexpr double lineAlongEdge_px = 5;  // half of the thickest line
   constexpr double farBeyond_px = 9;
-  constexpr double lineEnd_px = 5;  // beyond the line that it ends on
+  constexpr double lineEnd_px = 5;  // beyond the line on which it ends
   const PlotFrame& frame = graph.frame.value;
   const Box box = frame.box();
   const Raster& picture = graph.view.raster;
   if (picture.empty() || !standsLevel(frame) || isContradicted(graph)) return {};
   const AxisCalibration& axes = graph.axes.calibration.value;
-  // A range cut at what it shows ends before the next number, which is not there.
+  // A plot that is cut at the end of its curves ends before the next number, which is not printed.
   const double last_px = lastNumberAbove_px(axes.y, box);
   const Point most_px{std::max(mostShare * box.width(), stepOf(axes.x)),
                       std::max(stepOf(axes.y), box.y0 - last_px + lineEnd_px)};
@@ -163,7 +164,8 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
     const double rightwards_px = line.back().x - line[line.size() - std::min(line.size(), tail + 1)].x;
     const bool alongEdge =
         atRight && rightwards_px < 2 && end->right_px <= box.x1 + lineAlongEdge_px && end->top_px >= box.y0;
-    const bool drawnBeyond = line.back().x > box.x1 + farBeyond_px;  // a document's path, whole
+    // a document's path is known beyond the frame
+    const bool drawnBeyond = line.back().x > box.x1 + farBeyond_px;
     const bool goesOn = !alongEdge && goesOnBeyond(line, curve.color, picture);
     leaves = leaves || drawnBeyond || goesOn;
     if (atTop && goesOn && last_px < box.y0) widened.y0 = std::min(widened.y0, last_px - leastRoom_px);

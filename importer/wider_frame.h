@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A plot may go on beyond the last gridline that has a number, and its curves with it: the frame is widened
-// to where they end. Any thread.
+// A plot may continue beyond the last gridline that has a number, and its curves with it. The frame is then
+// widened to the ends of the curves. Any thread.
 
 #include <optional>
 #include <vector>
@@ -16,10 +16,10 @@ namespace detent::importer {
 bool goesOnBeyond(const std::vector<Point>& curve, Rgb color, const Raster& picture);
 
 /// The graph with its right and upper edges moved to the ends of its curves' pixels, and the scales extended
-/// to there. Empty if no curve leaves the frame there, if the frame is not level or a label contradicts its
-/// scale, and if the pixels do not end within the picture and a fifth of the frame's width or a step of the
-/// tick labels (upwards such a step, or up to the last tick label, to which the frame goes in any case). The
-/// caller checks that the curves could be followed there.
+/// accordingly. Upwards the frame goes at least to the last tick label. Empty if no curve leaves the frame
+/// there, if the frame is not level, if a label contradicts its scale, or if the curves do not end within the
+/// picture and within a fifth of the frame's width (upwards: a step of the tick labels) of the frame. The
+/// caller checks that the curves could be traced there.
 std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
                                                const std::vector<CurveTrace>& curves);
 

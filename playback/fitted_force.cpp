@@ -12,10 +12,10 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double busyShare = 0.5;          // of a round trip that this computer takes alone
-constexpr double finestEncoder_mm = 1e-4;  // nobody has a finer one
+constexpr double busyShare = 0.5;  // share of a round trip from which this computer is named as the cause
+constexpr double finestEncoder_mm = 1e-4;  // no device has a finer one
 
-/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its
+/// The slope that a graph needs at least: that of a straight line from zero to its strongest force over its
 /// travel.
 double plainestSlope_N_per_mm(const Button& button, double largest_N) {
   double plainest = 0;
@@ -33,7 +33,7 @@ double rounded(double value, int digits) {
   return std::round(value / unit) * unit;
 }
 
-/// Factor on the force or slope that a remedy names, so that the button is then accepted with a margin.
+/// Factor on the force or slope that a remedy suggests, so that the button is then accepted with a margin.
 constexpr double spareOfRemedy = 1.1;
 
 }  // namespace
@@ -98,7 +98,7 @@ Result<FittedForce> keptTo(const ForceDeviceProfile& profile, const Button& butt
   FittedForce unlimited{std::move(prepared), profile, {}};
   unlimited.device.rate_Hz = 1 / unlimited.prepared.program.period_s;
   if (!profile.measured) return unlimited;
-  // A slope above the device's limit is softened anyway.
+  // A slope above the device's limit is limited in any case.
   const std::vector<UnstableStretch> unstable =
       stabilityOf(button, profile, unlimited.device.rate_Hz).unstable;
   const bool borne = std::ranges::all_of(

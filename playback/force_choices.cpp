@@ -12,7 +12,7 @@ namespace {
 constexpr unsigned mostFalcons = 127;  // devices on a USB bus
 constexpr unsigned serialBaud = 230400, odriveBaud = 115200;
 
-/// A whole text as a number, whatever the locale.
+/// Parses a whole text as a number, independent of the locale.
 template <class Number>
 std::optional<Number> numberIn(std::string_view text) {
   Number value{};

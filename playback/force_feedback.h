@@ -39,16 +39,16 @@ struct ForceDeviceChoice {
   std::string port;          ///< of serial and odrive
   unsigned baud = 230400;    ///< of serial and odrive; USB ignores it
   unsigned axis = 0;         ///< of an ODrive
-  double mmPerTurn = 60;     ///< of an ODrive's capstan; negative where the motor is mounted the other way
+  double mmPerTurn = 60;     ///< of an ODrive's capstan; negative if the motor is mounted the other way round
   bool uploadTable = false;  ///< of serial: the microcontroller runs the law at its own rate
   unsigned number = 0;       ///< of several Falcons
-  std::string firmwareFile;  ///< of a Falcon; empty: it has been given one since it was switched on
+  std::string firmwareFile;  ///< of a Falcon; empty: it has received one since it was switched on
   ForceDeviceProfile profile;
 };
 /// Failure: wrongUsage with the words that are known.
 Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text);
 
-/// Behaviour of the simulated finger. Real devices have a real one.
+/// Behaviour of the simulated finger; for simulated devices only.
 struct FingerChoice {
   enum class Kind : std::uint8_t { hold, press, trace };
   Kind kind = Kind::press;
@@ -65,7 +65,7 @@ struct ForcePlayerSettings {
   FingerChoice finger;
   double seconds = 0;        ///< 0: until stopped
   bool paced = true;         ///< false: a simulated device runs as fast as it can
-  bool holdToRun = false;    ///< force only while somebody holds: `hold`, the space bar, OSC /detent/hold
+  bool holdToRun = false;    ///< force only while a person holds: `hold`, the space bar, OSC /detent/hold
   bool stopKeys = false;     ///< keys of the terminal stop and arm (docs/guide/force-feedback.md)
   bool stopSignals = false;  ///< SIGUSR1 stops; signals that end the program stop at once, too
   std::optional<std::uint16_t> stopOscPort;  ///< OSC /detent/stop stops; 0: the system chooses
@@ -75,69 +75,72 @@ struct ForcePlayerSettings {
 /// A snapshot for displays; counts since the start.
 struct ForceStatus {
   ForceStep last;
-  // Punctuality of the loop: how long after its time a step began.
+  // Punctuality of the loop: the delay of steps after their scheduled times.
   std::uint64_t steps = 0, within100us = 0, missedDeadlines = 0;
   double worstLate_s = 0, meanLate_s = 0;
   std::uint64_t computerLate = 0,
-                deviceLate = 0;  ///< answers missed in steps that began late, and in steps on time
+                deviceLate = 0;  ///< missing answers, of steps that began late and of steps on time
   bool realtime = false;
   ForceGuardCounts guard;
-  std::uint64_t withdrawn =
-      0;  ///< commands to a device that runs the law by itself to give no force, because its answers stopped
+  /// times the device, which runs the law itself, was commanded to give no force because its answers
+  /// stopped
+  std::uint64_t withdrawn = 0;
   std::uint64_t lateAnswers = 0, malformedAnswers = 0, repeatedAnswers = 0, reconnects = 0, firmwareTries = 0;
-  double lowestBalance_mJ = 0;  ///< of the passivity observer; below 0: the button gave more than it held
+  /// of the passivity observer; below 0: the button gave more energy than it had stored
+  double lowestBalance_mJ = 0;
   std::uint64_t droppedRows = 0;
   bool connected = true;
   bool homing = false;               ///< the person has to move the handle all the way out and in
-  ForceHalt halt = ForceHalt::none;  ///< why there is no force until somebody arms or holds
+  ForceHalt halt = ForceHalt::none;  ///< reason why there is no force until a person arms or holds
   std::string clearedFault;          ///< an error of the device that was found and cleared
-  std::string fault;                 ///< what the device says keeps it from giving force; empty: nothing
+  std::string fault;                 ///< fault by which the device prevents force; empty: none
   bool finished = false;
 };
 
-/// Pace that the link allows; all 0 if it is as quick as the device was prepared for.
+/// Pace that the link allows; all 0 if it is as fast as the device was prepared for.
 struct ForceLinkPace {
   double roundTrip_s = 0;   ///< measured: nine of ten answers take no longer
   double requested_Hz = 0;  ///< requested rate
-  double computer_s = 0;    ///< of the round trip, what this computer alone takes
+  double computer_s = 0;    ///< part of the round trip that this computer causes
   double addedDamping_Ns_per_mm = 0,
-         largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
+         /// changes that the button needed because of the link, besides limited slopes
+      largestForceChange_N = 0;
 };
 
-/// Measures the device itself: no finger on it, the handle free to move.
+/// Measures the device itself: with no finger on it, and the handle free to move.
 struct DeviceMeasurementSettings {
   ForcePlayerSettings
-      run;  ///< device, rate, pace and stops; finger, seconds and the law's choices do not matter
-  double range_mm = 10;  ///< 4..80; it moves between 0 and this, beyond by a few millimetres at most
+      run;  ///< device, rate, pace and stops; finger, seconds and the law's settings are ignored
+  /// 4..80; the handle moves between 0 and this, and beyond by a few millimetres at most
+  double range_mm = 10;
   double largest_N = 1;  ///< > 0, not above the device's limit
 };
 struct DeviceMeasurement {
   ForceDeviceMeasurement device;
   MotionIdentification motion;
-  MotionRecord record;        ///< what it rests on, for pictures
-  double roundTrip_s = 0;     ///< of the link; 0: none, or quick
-  double longestPause_s = 0;  ///< of this computer; what a pause hides does not enter
+  MotionRecord record;        ///< the record that was evaluated, for plots
+  double roundTrip_s = 0;     ///< of the link; 0: there is none, or it is fast
+  double longestPause_s = 0;  ///< of this computer; samples during a pause are not evaluated
 };
 /// Takes some ten seconds. Calls `onward` often with the completed share (0..1); false cancels. Failure:
 /// wrongUsage; deviceTrouble if the device cannot be opened, does not move, or moves the other way;
-/// unreadableInput if its movement determines nothing.
+/// unreadableInput if its movement does not determine the parameters.
 Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings& settings,
                                              const std::function<bool(double done)>& onward);
 
 /// A button under a finger. Destroying it lets the force fall to nothing within 10 ms and joins its thread.
 class ForcePlayer {
  public:
-  /// Failure: wrongUsage for settings that mean nothing, deviceTrouble where the device cannot be had.
+  /// Failure: wrongUsage for invalid settings, deviceTrouble if the device cannot be used.
   static Result<std::unique_ptr<ForcePlayer>> start(const Button& button,
                                                     const ForcePlayerSettings& settings);
   virtual ~ForcePlayer() = default;
 
   /// Exchanges the button under the finger.
   virtual Result<Done> setButton(const Button& button) = 0;
-  /// Parts of the button that the device cannot render, its slope limit, its play radius.
+  /// Properties of the button that the device cannot render, its slope limit, and its play radius.
   virtual const ForceSummary& summary() const = 0;
-  /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is
-  /// slow.
+  /// The device for which the force was prepared: with a slow link its rate and delay are the measured ones.
   virtual const ForceDeviceProfile& device() const = 0;
   virtual ForceLinkPace pace() const = 0;
   virtual ForceStatus status() const = 0;
@@ -147,10 +150,10 @@ class ForcePlayer {
 
   /// Removes the force within 15 ms, until `rearm`. Any thread; returns at once.
   virtual void emergencyStop() = 0;
-  /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from
-  /// nothing.
+  /// Called when a person wants force again after an emergency stop, a fault, or a lost position: it
+  /// increases from zero.
   virtual void rearm() = 0;
-  /// Hold-to-run: to be said again at least every 0.1 s.
+  /// Hold-to-run: must be called again at least every 0.1 s.
   virtual void hold(bool held) = 0;
 };
 

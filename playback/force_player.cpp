@@ -65,8 +65,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
   return FingerPlan{FingerPath{times_s, values}};
 }
 
-/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do.
-/// `computer_s`: what this computer alone takes.
+/// Measures the link. If its answers take longer than half a period, the loop runs as slowly as they arrive.
+/// `computer_s`: the part that this computer causes.
 Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings& settings, FittedForce kept,
                                  double computer_s, ForceDevice& opened) {
   const double period_s = kept.prepared.program.period_s;
@@ -76,7 +76,7 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   const double slow_s = slowPeriod_s(period_s, *roundTrip_s);
   slower.rate_Hz = 1 / slow_s;
   slower.delay_s = std::max(slower.delay_s, slow_s);
-  // Answers of such a link come at any time, so no part of its delay is compensated by prediction.
+  // Answers of such a link arrive at any time, so no part of its delay can be compensated by prediction.
   slower.jitter_s = 0.5 * slow_s + slower.late_s();
   ForceLinkPace pace;
   pace.roundTrip_s = *roundTrip_s;
@@ -157,7 +157,7 @@ class RunningForce : public ForcePlayer {
     to.computerLate = from.deadlines.computerLate;
     to.deviceLate = from.deadlines.deviceLate;
     to.guard = from.guard;
-    // The loop does not fade a force that the device makes by itself.
+    // The loop does not fade a force that the device itself makes.
     if (settings_.device.uploadTable) to.guard.faded = from.link.withdrawn;
     to.withdrawn = from.link.withdrawn;
     to.lateAnswers = from.link.late;
@@ -191,7 +191,7 @@ class RunningForce : public ForcePlayer {
   ForceDeviceProfile device_;
   ForceLinkPace pace_;
   ForceLoop loop_;
-  std::unique_ptr<ForceOrders> orders_;  ///< uses the loop
+  std::unique_ptr<ForceOrders> orders_;  ///< uses the loop, so it is declared after it
 };
 
 }  // namespace
@@ -209,7 +209,7 @@ Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
   }
   FittedForce fitted{*std::move(prepared), settings.device.profile, {}};
   double computer_s = 0;
-  // Before the device is opened: from then on an ODrive's watchdog runs.
+  // Before the device is opened, because from then on an ODrive's watchdog runs.
   if (!settings.device.uploadTable) {
     Result<FittedForce> kept =
         keptTo(settings.device.profile, button, settings.force, std::move(fitted.prepared));
@@ -220,7 +220,7 @@ Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
   Result<std::unique_ptr<ForceDevice>> device =
       openForceDevice(settings.device, fitted.prepared, std::move(finger));
   if (!device) return device.failure();
-  // A device that runs the law itself does not wait for the link.
+  // A device that runs the law itself does not depend on the link's speed.
   if (settings.device.uploadTable) {
     watchOnly(fitted.prepared.program, (*device)->longestUnheard_s());
   } else {

@@ -28,7 +28,7 @@ constexpr std::size_t mostTakes = 16;
 constexpr double traceAhead_s = 0.25;
 constexpr double traceStep_s = 0.05;
 constexpr double feltHold_s = 1.5;
-constexpr double silentRate_Hz = 48000;  // in which a player without a device numbers its events
+constexpr double silentRate_Hz = 48000;  // rate at which a player without a device counts frames
 
 AudioSettings audioSettings(const PlayerSettings& s) {
   return {s.device,
@@ -75,7 +75,7 @@ class Player : public LivePlayer {
     sensor_.reset();
     fudi_.reset();
     osc_.reset();
-    output_.reset();  // last: until here the callback reads programs
+    output_.reset();  // after everything else, because the callback reads programs until here
   }
 
   Result<Done> open(const PlayerSettings& settings, const LiveProgram& program, CallbackHooks hooks) {
@@ -100,7 +100,7 @@ class Player : public LivePlayer {
     auto taken = std::make_unique<LiveProgram>(program);
     follower_.use(&taken->program, &taken->speeds);
     if (heldByDisplacement_)
-      follower_.placeAtDisplacement(held_mm_);  // of such a finger the force is the former button's
+      follower_.placeAtDisplacement(held_mm_);  // for such a finger the force is that of the previous button
     else
       follower_.placeAtForce(force_N);
     presses_.use(&taken->program);
@@ -165,7 +165,7 @@ class Player : public LivePlayer {
   }
 
   Result<Done> sendSignals(const std::string& host, std::uint16_t port) override {
-    // A name may take seconds to resolve: nothing waits for it.
+    // Resolving a name may take seconds, so it is done without a lock.
     Result<std::unique_ptr<SignalSender>> sender = SignalSender::open(host, port);
     if (!sender) return sender.failure();
     const std::lock_guard lock(readingMutex_);
@@ -307,7 +307,7 @@ class Player : public LivePlayer {
   }
 
  private:
-  /// Samples and what the callback knows them by.
+  /// Samples and the description by which the callback knows them.
   struct OwnedTake {
     std::vector<float> samples;
     SoundTake taken;
@@ -335,14 +335,14 @@ class Player : public LivePlayer {
     return std::nullopt;
   }
 
-  /// controlMutex_ is held. Where the lane is full, `receive` sends it when there is room.
+  /// Call with controlMutex_ held. If the lane is full, `receive` sends the program when there is room.
   void sendProgram(const LiveProgram& program) {
     if (!sounding_) return;
     owedProgram_ = std::make_unique<LiveProgram>(program);
     sendOwedProgram();
   }
 
-  /// controlMutex_ is held.
+  /// Call with controlMutex_ held.
   void sendOwedProgram() {
     if (!owedProgram_) return;
     SessionCommand command;
@@ -352,8 +352,8 @@ class Player : public LivePlayer {
     if (session_.send(Lane::control, command)) programs_.push_back(std::move(owedProgram_));
   }
 
-  /// Plays a trace of known speed on the program of that speed, as it is rendered. Returns true if `endSpeed`
-  /// is due.
+  /// Plays a trace of known speed with the program of that speed, as it would be rendered. Returns true if
+  /// `endSpeed` must be called after it.
   bool playAtSpeedOf(const PressTrace& trace) {
     const std::lock_guard lock(controlMutex_);
     const std::lock_guard readingLock(readingMutex_);
@@ -368,7 +368,7 @@ class Player : public LivePlayer {
     sendProgram(*routeProgram_);
   }
 
-  /// controlMutex_ is held.
+  /// Call with controlMutex_ held.
   bool sendTake(const SoundTake* take) {
     SessionCommand command;
     command.kind = CommandKind::take;
@@ -376,7 +376,7 @@ class Player : public LivePlayer {
     return session_.send(Lane::control, command);
   }
 
-  /// The rain's own device: a stream whose session has no program.
+  /// Opens the separate device for rain: a stream whose session has no program.
   Result<Done> openRain(const MaskingNoise& masking) {
     rainSession_.emplace(session_.sampleRate_Hz());
     AudioSettings audio;
@@ -394,12 +394,12 @@ class Player : public LivePlayer {
 
   std::int64_t streamFrame() {
     const std::lock_guard lock(controlMutex_);
-    // The last status is up to 20 ms old; what it lags is added generously by the caller's lead.
+    // The last status is up to 20 ms old; the caller's lead time is large enough to cover that.
     return lastStatus_.frame;
   }
 
-  /// Position, and without a device the counts, of the readings themselves: the callback's are one status
-  /// interval or one buffer old.
+  /// Fills in the position and, without a device, the counts, from the readings themselves, because the
+  /// callback's are one status interval or one buffer old.
   void follow(PlayerStatus& s) {
     StrokePosition position = lastStatus_.position;
     const std::lock_guard lock(readingMutex_);
@@ -438,7 +438,7 @@ class Player : public LivePlayer {
     }
   }
 
-  /// controlMutex_ is held.
+  /// Call with controlMutex_ held.
   void keepStrongest() {
     const auto passed_frames = static_cast<double>(lastStatus_.frame - strongest_.frame);
     if (lastStatus_.felt_dB < strongest_.felt_dB && passed_frames < feltHold_s * session_.sampleRate_Hz())
@@ -459,12 +459,13 @@ class Player : public LivePlayer {
     sendReading(reading.resumed ? CommandKind::resync : CommandKind::force, reading.time_s, reading.force_N);
   }
 
-  // readingMutex_ is held: one producer of the sensor lane at a time.
+  // Call with readingMutex_ held, because the sensor lane has one producer at a time.
   void sendReading(CommandKind kind, double time_s, double value) {
-    if (tracePlaying_) return;  // one finger at a time
+    if (tracePlaying_) return;  // only one finger at a time
     follow(kind, time_s, value);
     if (!sounding_) return;
-    // Nothing waits for a device that is away: on its return the finger is where it is then.
+    // Readings are not queued for a missing device: when it returns, only the finger's position at that time
+    // counts.
     const bool away = output_ && output_->state() == StreamState::lost;
     if (away || missedReadings_) {
       missedReadings_ = away;
@@ -479,14 +480,14 @@ class Player : public LivePlayer {
     session_.send(Lane::sensor, command);
   }
 
-  /// readingMutex_ is held.
+  /// Call with readingMutex_ held.
   void follow(CommandKind kind, double time_s, double value) {
     ++followedCounts_.inputs;
     heldByDisplacement_ = kind == CommandKind::displacement;
     if (heldByDisplacement_) held_mm_ = value;
     if (kind == CommandKind::resync) {
       follower_.placeAtForce(value);
-      presses_.use(&routeProgram_->program);  // the movements in between are not known
+      presses_.use(&routeProgram_->program);  // the movements since the last reading are unknown
       presses_.take(follower_.position());
       followedAt_s_ = time_s;
       return;
@@ -496,7 +497,7 @@ class Player : public LivePlayer {
     presses_.take(follower_.position());
     keepClosings(crossings, time_s);
     if (route_) route_->send(crossings, *follower_.program());
-    if (sounding_) return;  // the callback reports what it plays
+    if (sounding_) return;  // with a sound device, the callback reports events
     const double frame = (time_s - began_s_) * session_.sampleRate_Hz();
     for (std::size_t i = 0; i < crossings.count; ++i) {
       const Crossing& c = crossings.items[i];
@@ -507,7 +508,7 @@ class Player : public LivePlayer {
     }
   }
 
-  /// readingMutex_ is held.
+  /// Call with readingMutex_ held.
   void keepClosings(const Crossings& crossings, double time_s) {
     const double within_s = time_s - std::exchange(followedAt_s_, time_s);
     for (std::size_t i = 0; i < crossings.count; ++i) {
@@ -564,10 +565,11 @@ class Player : public LivePlayer {
       const std::lock_guard lock(controlMutex_);
       place.swap(*server);
     }
-    return port;  // the old server's thread may want the lock: it ends here, outside
+    // the thread of the old server may need the lock, so that server is destroyed after it was released
+    return port;
   }
 
-  /// controlMutex_ is held. Others may turn down what was set here, never up.
+  /// Call with controlMutex_ held. Other programs may lower the gain that was set here, but not raise it.
   void sendGain() {
     if (!sounding_) return;
     SessionCommand command;
@@ -576,7 +578,7 @@ class Player : public LivePlayer {
     owesGain_ = !session_.send(Lane::control, command);
   }
 
-  /// controlMutex_ is held.
+  /// Call with controlMutex_ held.
   VirtualFinger& fingerFor(double peak_N) {
     if (!finger_ || fingerPeak_N_ != peak_N) {
       finger_.reset();
@@ -595,8 +597,7 @@ class Player : public LivePlayer {
     return conditionedInputs(trace, routeProgram_->program, session_.sampleRate_Hz(), origin_s, counts);
   }
 
-  // Drops the inputs of the previous trace that were sent ahead, and places the finger at the new trace's
-  // start.
+  // Drops inputs of the previous trace that were sent ahead, and moves the finger to the new trace's start.
   void dropSentAhead(const EngineInput& first) {
     SessionCommand command;
     command.kind = CommandKind::forget;
@@ -627,7 +628,7 @@ class Player : public LivePlayer {
       }
       sleepUntil(now_s() + traceStep_s);
     }
-    // Readings that were sent ahead must have been applied before another source may send.
+    // Readings sent ahead must have been applied before another source may send.
     if (!stopTrace_) sleepUntil(now_s() + traceAhead_s + 0.05);
   }
 
@@ -640,11 +641,11 @@ class Player : public LivePlayer {
   const bool sounding_;
   LiveSession session_;
   const double began_s_;
-  std::mutex controlMutex_, readingMutex_, networkMutex_;  // control before reading where both are held
-  std::mutex traceMutex_;                                  // before all others: one playTrace at a time
-  std::vector<std::unique_ptr<LiveProgram>> programs_;     // controlMutex_; in the callback's hands
-  std::unique_ptr<LiveProgram> owedProgram_;               // controlMutex_; the newest, not sent yet
-  std::vector<std::unique_ptr<OwnedTake>> takes_;          // controlMutex_; in the callback's hands
+  std::mutex controlMutex_, readingMutex_, networkMutex_;  // lock control before reading if both are needed
+  std::mutex traceMutex_;                                  // lock before all others: one playTrace at a time
+  std::vector<std::unique_ptr<LiveProgram>> programs_;     // guarded by controlMutex_; in use by the callback
+  std::unique_ptr<LiveProgram> owedProgram_;  // guarded by controlMutex_; the newest program, not sent yet
+  std::vector<std::unique_ptr<OwnedTake>> takes_;  // guarded by controlMutex_; in use by the callback
   SessionStatus lastStatus_;
   struct {
     double felt_dB = -std::numeric_limits<double>::infinity();
@@ -654,18 +655,18 @@ class Player : public LivePlayer {
   ForceConditioner ownForce_;
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};
   std::unique_ptr<LiveProgram> routeProgram_;
-  SpeedTracker follower_;                 // of routeProgram_
-  bool heldByDisplacement_ = false;       // readingMutex_: what the follower's finger is known by
-  double held_mm_ = 0;                    // readingMutex_
-  PressCounter presses_;                  // readingMutex_
-  double followedAt_s_ = 0;               // readingMutex_: of the last reading
-  std::vector<ContactClosing> closings_;  // readingMutex_
+  SpeedTracker follower_;                 // follows routeProgram_
+  bool heldByDisplacement_ = false;       // guarded by readingMutex_: how the finger's position is known
+  double held_mm_ = 0;                    // guarded by readingMutex_
+  PressCounter presses_;                  // guarded by readingMutex_
+  double followedAt_s_ = 0;               // guarded by readingMutex_; time of the last reading
+  std::vector<ContactClosing> closings_;  // guarded by readingMutex_
   EngineCounts followedCounts_;
   std::deque<EngineEvent> followedEvents_;
   std::unique_ptr<PdRoute> route_;
-  bool missedReadings_ = false;         // readingMutex_
-  double ownGain_ = 1, gainShare_ = 1;  // controlMutex_
-  bool owesGain_ = false;               // controlMutex_: the lane was full
+  bool missedReadings_ = false;         // guarded by readingMutex_
+  double ownGain_ = 1, gainShare_ = 1;  // guarded by controlMutex_
+  bool owesGain_ = false;               // guarded by controlMutex_; the lane was full
   double fingerPeak_N_ = 0;
   std::atomic<bool> tracePlaying_{false}, stopTrace_{false};
   std::thread traceThread_;

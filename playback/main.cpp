@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-play: press a button and feel it. Parses, runs, sets the exit code.
+// detent-play: press a button and feel it. Parses the command line, runs a subcommand, returns the exit code.
 
 #include <cstdio>
 #include <exception>

@@ -21,7 +21,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double shortestRange_mm = 4, longestRange_mm = 80;
-// After this time the device's own ramp and the loop's are over: the force is the commanded one.
+// After this time the start-up ramps of device and loop are over, so the force is the commanded one.
 constexpr double rampsOver_s = 0.25;
 constexpr double moved_mm = 0.25;
 // After a pause of this length no device still gives the commanded force (docs/reference/force-protocol.md).
@@ -39,7 +39,7 @@ std::string numberText(double value) {
   return text;
 }
 
-/// A measurement while it runs.
+/// A measurement in progress.
 class Measuring {
  public:
   Measuring(const DeviceMeasurementSettings& settings, const std::function<bool(double)>& onward)
@@ -77,7 +77,7 @@ class Measuring {
     limits.lowest_mm = std::max(limits.lowest_mm, -settings_.range_mm);
     limits.highest_mm = std::min(limits.highest_mm, 2 * settings_.range_mm);
     device_.uploadTable = false;
-    // Carries rate, limits and steps; its law is not played.
+    // The button provides rate, limits and steps; its law is not played.
     Result<Button> none = springButton("no button", {{1e-3}, {}, std::min(4.0, settings_.range_mm)});
     if (!none) return none.failure();
     ForceSettings force;
@@ -85,8 +85,8 @@ class Measuring {
     Result<PreparedForce> prepared = prepareForce(*none, device_.profile, force);
     if (!prepared) return prepared.failure();
     program_ = std::make_unique<ForceProgram>(prepared->program);
-    // The relay's own growing push proves the direction, wherever the handle stands; there is no button whose
-    // end it could pass.
+    // The relay's own growing push proves the direction, at any position of the handle, so no separate proof
+    // is needed.
     program_->proof.present = false;
     program_->limits.deadCountFrom_mm = -std::numeric_limits<double>::infinity();
     program_->limits.travelEnd_mm = std::numeric_limits<double>::infinity();
@@ -122,7 +122,7 @@ class Measuring {
 
   std::int64_t stepsOf(double seconds) const { return std::llround(seconds / program_->period_s); }
 
-  /// Records this many more steps, and later ones that arrived meanwhile, unless it is the end.
+  /// Records this many more steps, and those that arrived meanwhile, except at the end.
   Result<Done> record(std::int64_t steps, bool end) {
     for (const std::int64_t until = seen_ + steps;;) {
       const ForceLoopStatus status = loop_->status();
@@ -190,7 +190,7 @@ class Measuring {
     }
   }
 
-  // The relay pushes towards the middle first.
+  // The relay's first push is towards the middle.
   Result<Done> checkMoved() const {
     const double toMiddle = settings_.range_mm / 2 - from_mm_.value_or(0);
     double most_mm = 0;
@@ -235,12 +235,12 @@ class Measuring {
   const std::function<bool(double)>& onward_;
   std::unique_ptr<ForceProgram> program_;
   std::unique_ptr<ForceLoop> loop_;
-  std::unique_ptr<ForceOrders> orders_;  ///< uses the loop
+  std::unique_ptr<ForceOrders> orders_;  ///< uses the loop, so it is declared after it
   std::vector<ForceStep> steps_;
   ForceStep before_;
   MotionRecord record_;
   std::optional<double> from_mm_;
-  std::int64_t seen_ = 0;  ///< steps, those that are not recorded included
+  std::int64_t seen_ = 0;  ///< number of steps, including those that are not recorded
   double time_s_ = 0, roundTrip_s_ = 0, longestPause_s_ = 0;
 };
 

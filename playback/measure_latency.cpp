@@ -16,15 +16,15 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double tactile_N = 0.6;    // of the button the measurement presses
-constexpr double ramp_N_per_s = 50;  // a brisk keystroke
+constexpr double tactile_N = 0.6;    // tactile force of the button that the measurement presses
+constexpr double ramp_N_per_s = 50;  // that of a fast keystroke
 constexpr double top_N = 1.2;
 constexpr double answerWithin_s = 0.4;
-constexpr double settle_s = 0.15;   // between press, release and the next press
-constexpr double tapWithin_s = 60;  // a person taps the sensor
+constexpr double settle_s = 0.15;   // pauses between press, release and the next press
+constexpr double tapWithin_s = 60;  // time within which a person must tap the sensor
 constexpr double faintestOnset = 1e-4;
 
-/// A button whose only strong event on the way down is one jump.
+/// A button with one jump as the only strong event of its press.
 Result<PreparedProgram> measuringProgram(const LatencySettings& settings) {
   Result<StrokeCurve> press = StrokeCurve::throughPoints({{0, 0}, {1, tactile_N}, {1.4, 0.3}, {3, 1.0}});
   if (!press) return press.failure();
@@ -125,7 +125,7 @@ class Measurement {
     session_.send(Lane::sensor, command);
   }
 
-  // A sensor with its own rhythm: readings come at its period, whenever the ramp began.
+  // A sensor with its own rhythm: readings arrive at its period, independent of the start of the ramp.
   std::optional<double> pressSimulated() {
     const double period_s = 1 / settings_.sensorRate_Hz;
     const double start_s = now_s() + period_s * (1 + std::uniform_real_distribution<double>(0, 1)(random_));
@@ -149,7 +149,7 @@ class Measurement {
     sleepUntil(now_s() + settle_s * (1 + std::uniform_real_distribution<double>(0, 0.1)(random_)));
   }
 
-  // Reader thread.
+  // Called on the reader thread.
   void onReading(const SensorReading& r) {
     send(r.time_s, r.force_N, r.resumed);
     const std::lock_guard lock(tapMutex_);
@@ -174,7 +174,7 @@ class Measurement {
         released_ = false;
         return tap_s_;
       }
-      capture_->take();  // nothing before a tap is of interest
+      capture_->take();  // discards recordings from before the tap
     }
     return {};
   }
@@ -222,8 +222,8 @@ namespace {
 constexpr double waitedInThePort_s = 0.3;
 constexpr double longestWait_s = 10;
 
-/// SD of what changes from one reading to the next (von Neumann 1941): a slow drift has hardly a part in it,
-/// as it has in their SD.
+/// SD of the changes between successive readings (von Neumann 1941). Unlike the SD of the readings, it hardly
+/// depends on a slow drift.
 double noiseIn(const std::vector<double>& readings) {
   double squares = 0;
   for (std::size_t i = 1; i < readings.size(); ++i)
@@ -231,14 +231,15 @@ double noiseIn(const std::vector<double>& readings) {
   return std::sqrt(squares / (2 * static_cast<double>(readings.size() - 1)));
 }
 
-/// The later half of the readings lies elsewhere than the earlier one, by more than their noise explains.
+/// Returns true if the later half of the readings differs from the earlier one by more than their noise
+/// explains.
 bool drifts(const std::vector<double>& readings) {
   const std::size_t half = readings.size() / 2;
   if (half < 4) return false;
   const auto n = static_cast<std::ptrdiff_t>(half);
   const double early = std::accumulate(readings.begin(), readings.begin() + n, 0.0);
   const double late = std::accumulate(readings.end() - n, readings.end(), 0.0);
-  const double one = 0.5;  // a converter's reading hangs between two counts
+  const double one = 0.5;  // a constant voltage may alternate between two counts of the converter
   const double apart = std::fabs(late - early) / static_cast<double>(half);
   return apart > one + 4 * noiseIn(readings) * std::sqrt(2 / static_cast<double>(half));
 }
@@ -250,7 +251,7 @@ Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double 
   SerialSettings settings;
   settings.port = port;
   settings.baud = baud;
-  settings.conditioner.lowest = -1e9;  // counts, not newtons
+  settings.conditioner.lowest = -1e9;  // raw readings are counts, not newtons
   settings.conditioner.highest = 1e9;
   settings.conditioner.fastest_per_s = 1e12;
   std::mutex mutex;

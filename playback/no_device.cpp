@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live half of the front door in a library built without devices.
+// The live half of the public interface for a library built without devices.
 
 #include "playback/playback.h"
 

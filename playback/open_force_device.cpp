@@ -22,11 +22,11 @@ namespace detent::playback {
 
 namespace {
 
-// An answer that comes within this share of a period does not slow the loop down.
+// An answer within this share of a period does not slow down the loop.
 constexpr double answerOfPeriod = 0.5;
-// The link's own scatter.
+// Allowance for the scatter of the link.
 constexpr double roundTripRoom = 1.05, roundTripRoom_s = 200e-6;
-// A proof ends by itself; on a link that does not answer, after this.
+// A proof of direction ends by itself; on a link without answers it ends after this time.
 constexpr double longestProof_s = 5;
 
 std::unique_ptr<ForceDevice> simulatedOn(const PreparedForce& prepared, const ForceDeviceProfile& p,
@@ -65,8 +65,9 @@ Failure irregularOn(const std::string& port, std::uint64_t missed, std::uint64_t
       Message("Check the cable, close what else runs on this computer, and try again")};
 }
 
-/// Pushes the handle a little (realtime/direction_proof.h) before a device is given a law that it then runs by itself, as slowly as the
-/// link needs. Measures the link. Failure deviceTrouble where the handle goes the wrong way or does not follow.
+/// Pushes the handle slightly (realtime/direction_proof.h) before a law is uploaded that the device then runs
+/// itself, as slowly as the link requires. Measures the link. Failure deviceTrouble if the handle moves the
+/// wrong way or not at all.
 Result<Done> proveDirection(SerialForceDevice& device, const ForceProgram& program, const std::string& port) {
   const double roundTrip_s = device.measureRoundTrip_s().value_or(0);
   if (!program.proof.present) return Done{};
@@ -173,11 +174,12 @@ Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& ch
 }
 
 void watchOnly(ForceProgram& program, double longestUnheard_s) {
-  program.proof.present = false;  // done; from here on the device pushes by itself
+  program.proof.present = false;  // done already; from now on the device makes its force itself
   program.limits.deadCountAbove_N =
       std::numeric_limits<double>::infinity();  // its force cannot be lowered for a probe
   program.limits.heldReadings = static_cast<std::uint32_t>(longestUnheard_s / program.period_s) + 1;
-  program.limits.longestHold_s = longestUnheard_s;  // as long as the device goes on without being heard
+  // the time for which the device continues without messages
+  program.limits.longestHold_s = longestUnheard_s;
 }
 
 bool tooSlowFor(double period_s, double roundTrip_s) { return roundTrip_s > answerOfPeriod * period_s; }

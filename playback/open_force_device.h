@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a choice of a force device to the device, and how its link sets the pace: what pressing a button and
-// measuring the device itself share.
+// Opens a chosen force device, and determines the pace that its link allows. Shared by pressing a button and
+// by measuring the device.
 
 #include <memory>
 
@@ -14,20 +14,20 @@
 
 namespace detent::playback {
 
-/// `finger` presses on simulated devices only.
+/// `finger` presses only on simulated devices.
 Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& choice,
                                                      const PreparedForce& prepared, FingerPlan finger);
 
-/// Changes a program for a loop that only watches a device which runs the law by itself and goes on unheard
-/// for `longestUnheard_s`.
+/// Adapts a program for a loop that only watches a device which runs the law itself and continues for
+/// `longestUnheard_s` without messages.
 void watchOnly(ForceProgram& program, double longestUnheard_s);
 
-/// If the link sets the period, the answer comes in this share of it, the step and the next question in the
-/// rest.
+/// If the link determines the period, the answer arrives within this share of it; the rest is for the step
+/// and the next question.
 inline constexpr double answerOfSlowPeriod = 0.8;
-/// Answers after `roundTrip_s` come too late for a loop of this period.
+/// Returns true if answers after `roundTrip_s` arrive too late for a loop of this period.
 bool tooSlowFor(double period_s, double roundTrip_s);
-/// Period that such a link allows, never shorter than the requested one.
+/// The period that such a link allows, never shorter than the requested one.
 double slowPeriod_s(double period_s, double roundTrip_s);
 
 Result<std::unique_ptr<ForceOrders>> startForceOrders(ForceLoop& loop, const ForcePlayerSettings& settings);

@@ -13,7 +13,8 @@
 //   study/trials/participant_session.h one participant at work
 //   study/trials/figure_table.h        a table for every format; answer_tables.h: thresholds and ratings,
 //                                      timing_tables.h: timed presses
-//   study/trials/study_results.h       rows and figures (study/statistics); study_output.h, study_page.h print them
+//   study/trials/study_results.h       rows and figures (study/statistics)
+//   study/trials/study_output.h        prints them as text, JSON, CSV and BIDS; study_page.h: as a page
 //   study/perception/*                 what is felt, who is confused with whom, what would help
 //   study/study_player.h               the button under the participant's finger
 //   study/timed_run.h                  one timed trial from its first sight to the journal
@@ -36,8 +37,8 @@
 
 namespace detent::playback {
 
-/// Forecast for a study's buttons, on its device, mode by mode by pairsOf(); nothing if no answer says which
-/// one X is. Some ten milliseconds a button and mode. Failure: as feel(). Any thread.
+/// Forecast for a study's buttons on its device, mode by mode in the order of pairsOf(); empty if the study
+/// does not ask which one X is. Some ten milliseconds per button and mode. Failure: as feel(). Any thread.
 Result<std::vector<ForetoldPair>> foretold(const Study& study);
 
 }  // namespace detent::playback

@@ -6,7 +6,7 @@
 namespace detent::importer {
 namespace {
 
-/// Length of the step in the units' plane per view pixel, about the point that stands at (mm, N).
+/// Change of (mm, N) per view pixel near the point at these coordinates.
 Point unitsPerPx(const AxisCalibration& c) {
   const auto middle = [](const AxisReading& a) { return 0.5 * (a.min + a.max); };
   const double mm = middle(c.x) * millimetresPer(lengthUnitFrom(c.x.unit).value_or(LengthUnit::millimetre));
@@ -25,7 +25,7 @@ Point SheetBend::straightened(Point view_px) const {
 }
 
 Point SheetBend::bent(Point straight_px) const {
-  constexpr int steps = 30;  // of a fixed-point iteration; each divides the error by about sheet / bend
+  constexpr int steps = 30;  // iterations of the fixed point; each divides the error by about sheet / bend
   Point at = straight_px;
   for (int k = 0; k < steps; ++k) at = straight_px - (straightened(at) - at);
   return at;

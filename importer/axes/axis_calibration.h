@@ -28,10 +28,12 @@ struct AxisReading {
   double residual_px = 0;   ///< rms of used ticks
   std::string unit;         ///< symbol as we print it: "mm", "cN", "gf"; never empty
   DecidedBy unitBy = DecidedBy::found;
-  bool unitFound = false;  ///< false: stated default, which an import must not rest on
-  std::string
-      otherQuantity;  ///< what its title measures instead of a way or force: "kPa", "Time"; empty if nothing
-  bool thousandsUnclear = false;  ///< "1,000" and "2,000" alone: read as decimals, and may be thousands
+  /// false: nothing on the page names the unit, so a default was taken; an import must not rest on it
+  bool unitFound = false;
+  /// the quantity in its title if that is neither displacement nor force: "kPa", "Time"; empty otherwise
+  std::string otherQuantity;
+  /// every label has the form "1,000": read as decimals, but they may be thousands
+  bool thousandsUnclear = false;
   std::vector<TickLabel> ticks;
   std::string title;  ///< as read
 };
@@ -42,11 +44,12 @@ struct AxisReading {
 /// `half_px`.
 struct SheetBend {
   Point middle_px;
-  double half_px = 1;             ///< > 0
+  double half_px = 1;             ///< half of the picture's size, > 0
   std::array<double, 3> depth{};  ///< of xx, xy, yy; all 0: nothing bends
-  Point from;                     ///< minus the place that points move away from
+  Point from;                     ///< the negated position of the centre that points move away from
   Point straightened(Point view_px) const;
-  Point bent(Point straight_px) const;  ///< the inverse, for bends far smaller than the sheet
+  /// The inverse map, from straightened to bent pixels. Accurate for bends far smaller than the sheet.
+  Point bent(Point straight_px) const;
 };
 
 /// Invertible map between view pixels and (mm, N). Projective, so that photographs fit; affine for everything
@@ -79,26 +82,27 @@ struct SeenText {
   double angle_deg = 0;
 };
 
-/// Numbers on the right that are not the left ones in another unit of force.
+/// The numbers at the right edge of the plot frame, where they are more than the left scale in another unit
+/// of force.
 enum class RightScale {
   none,
-  other,       ///< of something else, or unnamed
-  otherForces  ///< of forces: a curve may belong to either scale
+  other,       ///< a scale of something other than force, or one without a title
+  otherForces  ///< a second scale of force: a curve may belong to either
 };
 
 struct AxesFound {
   Found<AxisCalibration> calibration;
   /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
   std::vector<SeenText> texts;
-  /// Lines of writing beside them that are no words that were read: with text where they are short names
-  /// ("TS-10", "1.6 N"), without where they could not be read.
+  /// Further lines of writing beside those texts. Short names ("TS-10", "1.6 N") have their text; lines that
+  /// could not be read have none.
   std::vector<SeenText> otherLines;
   std::vector<Remark> remarks;
   RightScale rightScale = RightScale::none;
 };
 
-/// Marks the labels of an axis whose range was given as unused: they say where the frame ends, and the given
-/// range alone says what its edges mean.
+/// Marks the labels of an axis as unused if its range was given: the labels only locate the frame, and the
+/// given range alone defines the values at the frame's edges.
 void useNoTicksOfGivenRanges(AxisCalibration& calibration, const AxisHints& hints);
 
 /// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis /
@@ -106,17 +110,17 @@ void useNoTicksOfGivenRanges(AxisCalibration& calibration, const AxisHints& hint
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},
                            const Progress& progress = {});
 
-/// Searches titles for units that were not found, in a view that shows more of the page around the same
-/// frame: titles are farther out than labels, and a view made for a plot cuts them. `frame` in that view's
-/// pixels, `toWide` from the pixels that `axes` were read in. A unit that is found replaces the stated
-/// default, in the scale as well.
+/// Searches the titles for units that were not found, in a view that shows more of the page around the same
+/// frame: titles stand farther out than labels, so the first view may cut them off. `frame` is in the wider
+/// view's pixels; `toWide` maps the pixels in which `axes` were read to that view. A unit that is found
+/// replaces the assumed one, and the scale is converted with it.
 void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFrame& frame,
                       const Homography& toWide);
 
-/// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.
-/// Only lines of at least three letters that were read with some certainty, so their boxes may be masked; the
-/// rest goes to `axes.otherLines`. Apart from readAxes because who lists graphs needs none of it (5 to 10 ms
-/// per line).
+/// Adds the other writing in and beside the frame to `axes.texts`: callouts, legend, titles over the plot.
+/// Only lines of at least three letters that were read with some certainty are added, because their boxes are
+/// masked when curves are traced; the rest goes to `axes.otherLines`. Separate from readAxes because listing
+/// graphs does not need it (5 to 10 ms per line).
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes,
                     const Progress& progress = {});
 

@@ -17,9 +17,10 @@ namespace detent::importer {
 namespace {
 
 constexpr int rowAttempts = 3;
-constexpr double sureLabelReading = 0.9;  // of the engine's
+constexpr double sureLabelReading = 0.9;  // of the text engine's confidence
 
-/// One number without a blank in it: lines of several numbers do not say where each stands.
+/// Returns true if the text is one number without blanks. In a line of several numbers their positions are
+/// unknown.
 bool isNumberText(const TextBox& t, double angle_deg) {
   return std::abs(t.angle_deg - angle_deg) < 20 && t.utf8.find(' ') == std::string::npos &&
          printedNumber(t.utf8).has_value();
@@ -38,7 +39,7 @@ std::vector<Box> labelGlyphs(const GraphReading& r, const Box& band) {
   return glyphsIn(r.glyphs, band, largest);
 }
 
-/// Words of dark pixels that may be numbers.
+/// Boxes of dark pixels that may be numbers.
 std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis axis) {
   const auto glyphs = labelGlyphs(r, band);
   auto words = numberBoxes(glyphs);
@@ -47,8 +48,8 @@ std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis ax
   return words;
 }
 
-/// A word left of the axis as far as its last digit reaches: one that touches the axis was taken for a tick,
-/// in part or whole, and "120" would be read as 12. A tick is lower than a digit.
+/// Cuts a word left of the axis behind its last digit. A digit that touches the axis was partly taken for a
+/// tick, so that "120" would be read as 12. A tick is lower than a digit.
 Box untilAxis(const GraphReading& r, const Box& word) {
   constexpr double apart = 0.45, digit = 0.5;  // of the word's height
   const int top = std::max(0, static_cast<int>(std::ceil(word.y0))),
@@ -61,7 +62,7 @@ Box untilAxis(const GraphReading& r, const Box& word) {
   const double end = std::min(r.box.x0, r.darkMask.cols - 1.0);
   for (int x = static_cast<int>(std::ceil(word.x1)); x < std::min(end, whole.x1 + apart * word.height());
        ++x) {
-    if (isMark(top - margin / 2, x) || isMark(bottom + margin / 2, x)) break;  // the axis
+    if (isMark(top - margin / 2, x) || isMark(bottom + margin / 2, x)) break;  // the axis is reached
     int first = bottom, last = top;
     for (int y = top; y <= bottom; ++y)
       if (isMark(y, x)) first = std::min(first, y), last = std::max(last, y);
@@ -81,15 +82,15 @@ SeenText readLabel(GraphReading& r, const Box& word, TextKind kind, double angle
 double widthOf(const Box& word, double angle_deg) { return angle_deg == 0 ? word.width() : word.height(); }
 double heightOf(const Box& word, double angle_deg) { return angle_deg == 0 ? word.height() : word.width(); }
 
-/// Characters of a number as wide as digits: points and ones take less room.
+/// Width of a number's characters in digits; points and ones are narrower.
 double digitsWide(const std::string& text) {
   double n = 0;
   for (const char c : text) n += c == '.' || c == ',' ? 0.4 : c == '1' ? 0.6 : c == ' ' ? 0 : 1;
   return n;
 }
 
-/// Takes back readings that leave room for more digits than were read: "2" of "20" counts on as nicely as the
-/// whole number, and makes a scale ten times too small.
+/// Withdraws readings that leave room for more digits than were read: the "2" of "20" fits an even scale as
+/// well, which would then be ten times too small.
 void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& positions, double angle_deg) {
   constexpr double roomForMore = 1.7;  // times the usual width of a digit
   std::vector<double> perDigit(found.words.size(), 0), known;
@@ -108,10 +109,10 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& positions, doubl
   }
 }
 
-/// A number with the letters that follow it on its line, up to the next of the `numbers`. `glyphs` from the
-/// left.
+/// Box of a number with the letters that follow it on its line, up to the next of the `numbers`. `glyphs`
+/// from the left.
 Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const std::vector<Box>& numbers) {
-  constexpr double blank = 0.9, level = 0.4;  // of the number's height; of the lower one's
+  constexpr double blank = 0.9, level = 0.4;  // of the number's height; of the height of the lower one
   Box whole = number;
   for (const Box& g : glyphs) {
     const double shared = std::min(g.y1, number.y1) - std::max(g.y0, number.y0);
@@ -124,8 +125,8 @@ Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const s
   return whole;
 }
 
-/// Labels of an x axis stand about their ticks with the unit behind the number ("0.5 mm"), though that was
-/// taken for another word. One alone may be a title beside the last number.
+/// Moves labels of an x axis to the centre of number and unit ("0.5 mm"), because a program centres both at
+/// the tick. A single label with letters is left alone: the letters may be a title beside the last number.
 void centreWithUnits(const GraphReading& r, const AxisLabels& found, std::vector<LabelPlace>& positions) {
   constexpr int fewest = 2;
   const std::vector<Box> wholes = withLettersBehind(r.glyphs, found);
@@ -137,7 +138,7 @@ void centreWithUnits(const GraphReading& r, const AxisLabels& found, std::vector
 
 int agreed(const AxisLabels& a) { return a.progression ? a.progression->labels : 0; }
 
-/// Small labels that the engine leaves in doubt are read together; what comes out stands for what it read.
+/// Reads small labels together if the engine read them with doubt; the result replaces what it read.
 void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>& positions,
                   const std::vector<GridLine>& ticks, Axis axis) {
   std::vector<Box> words;
@@ -148,8 +149,8 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   }
   const auto read = readSmallLabels(r.darkness, words, centers, axis == Axis::x);
   if (!read) return;
-  // The engine drops points and digits of small print, but what it reads whole and with certainty stands
-  // there.
+  // The engine loses points and digits of small print, but a label that it read completely and with certainty
+  // is kept.
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string engine = digitsOf(found.words[i].utf8), together = digitsOf(read->texts[i]);
     if (found.words[i].confidence >= sureLabelReading && engine.size() == together.size() &&
@@ -164,10 +165,11 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   found.progression = fitProgression(positions, ticks, axis == Axis::x);
 }
 
-/// Where equal digits are equal to the pixel, each is read as the same one everywhere.
+/// If equal digits have equal pixels, reads each shape as the same digit everywhere.
 void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<LabelPlace>& positions,
                std::vector<std::string>& texts, Axis axis) {
-  const auto isText = [](const SeenText& word) { return word.confidence >= 1; };  // the document's own
+  // text of the document itself
+  const auto isText = [](const SeenText& word) { return word.confidence >= 1; };
   if (std::ranges::any_of(found.words, isText)) return;
   std::vector<std::vector<LetterShape>> letters;
   std::vector<double> centers;
@@ -187,9 +189,9 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
   }
 }
 
-/// "00" as wide as two digits, where the scale has its zero, is a "0.0" that lost its point: the print has
-/// decimals, and its other numbers of two digits without a point have lost theirs. Small print reads 0.0,
-/// 0.5, 1.0 as 00, 5, 10.
+/// Restores lost decimal points. "00" as wide as two digits at the zero of the scale is a "0.0" that lost its
+/// point; then the other two-digit numbers of this print have lost theirs too. Small print reads 0.0, 0.5,
+/// 1.0 as 00, 5, 10.
 void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& positions, const std::vector<GridLine>& ticks,
                    Axis axis, double angle_deg) {
   constexpr double asWide = 0.8;  // of the usual width of a digit
@@ -220,8 +222,8 @@ void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& positions, const 
   found.progression = fitProgression(positions, ticks, axis == Axis::x);
 }
 
-/// Numbers that fall to the right or upwards are believed where all of a row agree, four at least, each at
-/// its tick.
+/// Accepts numbers that fall to the right or upwards only if all numbers of a row agree, at least four, each
+/// at its tick.
 std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& positions,
                                               const std::vector<GridLine>& ticks, Axis axis) {
   constexpr int fewest = 4;
@@ -273,8 +275,8 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   return found;
 }
 
-/// Nothing better is to be expected. Letters of a title that runs upwards read as numbers that count on, too;
-/// they do not stand at the axis' ticks or gridlines.
+/// Returns true if no better row can be expected. Letters of a title that runs upwards may also be read as
+/// evenly increasing numbers, but they do not stand at the axis' ticks or gridlines.
 bool settles(const AxisLabels& a, const std::vector<GridLine>& lines) {
   constexpr std::size_t fewestLines = 3;
   return agreed(a) >= 3 && 2 * agreed(a) > static_cast<int>(a.words.size()) &&
@@ -299,8 +301,8 @@ std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> w
   return best;
 }
 
-/// The column of numbers left of the frame that read upwards, as some programs set them (R by itself). Turned
-/// with the page they stand in a row above the plot, and mirrored below it.
+/// The column of numbers left of the frame that read upwards, as some programs write them (R by default). The
+/// page is turned for reading: the numbers then form a row above the plot, or below it after mirroring.
 std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
                                            const std::vector<GridLine>& lines) {
   constexpr double upwards_deg = 90;
@@ -319,16 +321,16 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
   return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
 
-/// Returns true if most labels were read with low confidence, because digits consist of letters: "20gf" is
-/// 209 or nothing.
+/// Returns true if most labels were read with low confidence because they contain letters: the digit reader
+/// turns "20gf" into 209 or nothing.
 bool holdsLetters(const AxisLabels& labels) {
   constexpr double doubted = 0.2;  // of the engine's certainty
   const auto isDoubted = [](const SeenText& word) { return word.confidence < doubted; };
   return 2 * std::ranges::count_if(labels.words, isDoubted) > std::ssize(labels.words);
 }
 
-/// Returns true if all numbers of a scale end in the same digit, and not in one that scales end in: 9, 509
-/// and 1009 are "0g", "50g" and "100g".
+/// Returns true if all numbers of a scale end in the same digit and no scale has such an end: 9, 509 and 1009
+/// are "0g", "50g" and "100g".
 bool endsAlike(const AxisLabels& labels) {
   if (!labels.progression) return false;
   std::string ends;
@@ -340,8 +342,8 @@ bool endsAlike(const AxisLabels& labels) {
          ends.find_first_not_of(ends.front()) == std::string::npos;
 }
 
-/// Returns true if a column's words are as close as the letters of a title that runs upwards: numbers leave
-/// room between them.
+/// Returns true if a column's words are as close as the letters of a title that runs upwards. Between numbers
+/// there is more room.
 bool isWriting(const AxisLabels& column) {
   constexpr double closest = 0.45;  // of the lower one's height
   int close = 0;
@@ -380,7 +382,7 @@ std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLab
 
 namespace {
 
-/// The row of numbers over the frame, for a travel axis that stands there.
+/// The row of numbers above the frame, for a displacement axis at the top.
 std::optional<AxisLabels> readTopLabels(GraphReading& r, const std::vector<GridLine>& lines) {
   constexpr int fewestRegular = 3;
   const Box &b = r.box,
@@ -403,8 +405,8 @@ std::vector<Box> rightLabelWords(const std::vector<Box>& glyphs) {
   return words;
 }
 
-/// Without the small flat marks of one size in front of every number of a column: the ends of ticks, shorter
-/// than a minus.
+/// Removes the small flat marks of one size in front of every number of a column: ends of ticks, shorter than
+/// a minus sign.
 std::vector<Box> withoutTicksBefore(std::vector<Box> glyphs, const LabelRow& column) {
   constexpr std::size_t fewest = 3;
   constexpr double same_px = 1.5, low = 0.3, shorter = 0.4;  // px; of a number's height
@@ -431,7 +433,8 @@ std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<Gri
   constexpr double besideEdge_px = 3;
   const Box band{b.x1 + besideEdge_px, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(),
                  b.y1 + 0.08 * b.height()};
-  // A tick begins at the frame's edge, a label with a minus sign does not; else "-0.8" is read.
+  // A tick begins at the frame's edge, a label with a minus sign does not. Without this distance "-0.8" would
+  // be read from a tick.
   const double besideTicks_px = besideEdge_px + 0.004 * b.width();
   std::vector<Box> glyphs = labelGlyphs(r, band);
   std::erase_if(glyphs,
@@ -457,7 +460,8 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
                      : Box{b.x0 - 0.36 * w, b.y0 - 0.1 * h, b.x0 - 1, b.y1 + 0.08 * h};
   auto lines = x ? r.frame.xLines : r.frame.yLines;
   for (auto& line : lines) line.position_px -= x ? r.frame.drawnOffset_px.x : r.frame.drawnOffset_px.y;
-  // Try both: a plot whose labels are drawn may have other numbers of the document's text beside it.
+  // Tries the document's own text and the pixels, because a plot with drawn labels may have other numbers of
+  // the text beside it.
   std::optional<AxisLabels> best;
   if (const auto own = ownLabelWords(r, band, 0); own.size() >= 2) {
     best = tryRows(r, axis, own, lines, TextKind::number);
@@ -474,10 +478,10 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   }
   if (inked && (!best || agreed(*inked) > agreed(*best))) best = std::move(inked);
   if (best && agreed(*best) >= 3) return best;
-  if (!x) {  // digits of numbers that read upwards make a scale by twos
+  if (!x) {  // digits of numbers that read upwards resemble a scale with step 2
     auto upwards = readUpwardLabels(r, band, lines);
     if (upwards && agreed(*upwards) >= 3) return upwards;
-    // Nothing like numbers there: they may stand at the right alone.
+    // No numbers were found on the left, so the right side is tried.
     if (!best || best->numbers() < 2 || isWriting(*best))
       if (auto right = readRightLabels(r, lines); right && agreed(*right) >= 3 && reachesFar(*right, b))
         return right;
@@ -485,7 +489,7 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   if (x && (!best || best->numbers() < 2))
     if (auto top = readTopLabels(r, lines); top && agreed(*top) >= 3) return top;
   if (best && agreed(*best) >= 2) return best;
-  // "20gf" read as digits alone is nonsense: once more with letters.
+  // "20gf" read as digits alone is meaningless, so the labels are read once more with letters.
   auto lettered = tryRows(r, axis, words, lines, TextKind::words);
   return lettered && (!best || agreed(*lettered) > agreed(*best)) ? lettered : best;
 }

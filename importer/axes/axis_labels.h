@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The numbers along one axis, and the relation of value and place that they agree on.
+// The numbers along one axis, and the linear relation between value and position on which they agree.
 
 #include <optional>
 #include <string>
@@ -28,16 +28,17 @@ struct AxisLabels {
 /// "20gf" -> "20" and "gf"; no digits in front: nothing.
 std::pair<std::string, std::string> numberAndSuffix(const std::string& text);
 
-/// The tick labels with the letters that follow each on its line, in their order; labels that are no number
-/// stay as they are. `glyphs`: the blobs outside the frame.
+/// The tick labels, each extended by the letters that follow it on its line, in the same order. Labels that
+/// are no number stay unchanged. `glyphs`: the blobs outside the frame.
 std::vector<Box> withLettersBehind(const std::vector<Box>& glyphs, const AxisLabels& labels);
 
-/// Rows (columns for y) of words beside the frame are tried from the most regular one on, until one makes a
-/// progression. nullopt if no row of two or more words is there.
+/// Tries the rows (for y: columns) of words beside the frame, the most regular one first, until one is a
+/// progression. nullopt if there is no row of two or more words.
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);
 
-/// The column of numbers right of the frame, if one of four or more stands there evenly spaced; else nothing
-/// is read. `lines`: the gridlines and ticks they stand at, none where those are another scale's.
+/// The column of numbers right of the frame, if it has at least four that are evenly spaced; nullopt
+/// otherwise. `lines`: the gridlines and ticks that belong to these numbers; empty if those belong to another
+/// scale.
 std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<GridLine>& lines);
 
 /// Returns true if a column of numbers covers so much of the frame's height that it is a scale: "PB-01" to

@@ -11,8 +11,8 @@
 namespace detent::importer {
 namespace {
 
-/// The text with superscripts as digits, every dash as a hyphen and every multiplication sign as "x";
-/// without blanks.
+/// The text without blanks, with superscripts as digits, every dash as a hyphen and every multiplication sign
+/// as "x".
 std::string plainPower(std::string_view text) {
   constexpr std::u32string_view superscripts = U"⁰¹²³⁴⁵⁶⁷⁸⁹", dashes = U"-−–—⁻", times = U"x×·*∙⋅X";
   std::string plain;
@@ -29,7 +29,7 @@ std::string plainPower(std::string_view text) {
   return plain;
 }
 
-/// Where a multiplier of this axis may stand.
+/// Region where a multiplier of this axis may stand.
 Box placeOfMultiplier(const Box& frame, Axis axis, const Box& labels) {
   constexpr double beside = 0.15, inwards = 0.25, above = 0.12;  // of the frame's width and height
   const double width = frame.width(), height = frame.height();
@@ -54,7 +54,8 @@ std::optional<double> multiplierIn(std::string_view text) {
   const bool isNegative = exponent.starts_with('-');
   if (isNegative) exponent.remove_prefix(1);
   if (exponent.size() != 1 || exponent.front() < '0' || exponent.front() > '9') return {};
-  if (isPower && !isTimes && !isNegative) return {};  // "103" is a number
+  // "103" without "x" and without a negative exponent is a plain number
+  if (isPower && !isTimes && !isNegative) return {};
   const int power = exponent.front() - '0';
   return std::pow(10.0, isNegative ? -power : power);
 }

@@ -9,11 +9,12 @@
 
 namespace detent::importer {
 
-/// The power of ten that a text says and nothing else; text engines read "l" for the one. Exponents from -9
-/// to 9.
+/// The power of ten if the text consists of nothing else. The digit one may have been read as "l". Exponents
+/// from -9 to 9.
 std::optional<double> multiplierIn(std::string_view text);
 
-/// The multiplier over the upper end of a force axis, or below the right end of a travel axis; 1 without any.
+/// The multiplier above the upper end of a force axis, or below the right end of a displacement axis; 1 if
+/// there is none.
 double multiplierAtEnd(GraphReading& r, Axis axis, const Box& labels);
 
 }  // namespace detent::importer

@@ -14,7 +14,7 @@ namespace {
 
 template <class Unit, class Parse>
 void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
-  constexpr double sureLetter = 0.85;  // a single letter may be the rest of another mark
+  constexpr double sureLetter = 0.85;  // below this confidence a single letter may be part of another mark
   for (const auto& line : lines) {
     if (line.utf8.size() < 2 && line.confidence < sureLetter) continue;
     const auto unit = parse(line.utf8, sourceOf(line));
@@ -26,7 +26,7 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
   }
 }
 
-/// From here on a unit stands where only units stand: in brackets, after a slash.
+/// From this certainty on, a unit stands in a place reserved for units: in brackets or after a slash.
 constexpr double surePlace = 0.9;
 
 std::ptrdiff_t letterCountOfLine(const SeenText& line) {
@@ -39,8 +39,8 @@ bool hasLetters(const SeenText& line) { return letterCountOfLine(line) >= 2; }
 
 bool hasBracket(const SeenText& line) { return line.utf8.find_first_of("([") != std::string::npos; }
 
-/// Without the lines that are a part of a longer one that runs upwards: the z of "[oz]", lying on its side,
-/// is an N. A line that is far higher than wide runs upwards, whatever was read of it.
+/// Removes level lines that are part of a longer upward line: the z of "[oz]", turned, reads as N. A line
+/// that is much higher than wide runs upwards, whatever was read in it.
 std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
   constexpr double upright = 2;  // times as high as wide
   std::erase_if(lines, [&](const SeenText& line) {
@@ -65,8 +65,8 @@ const SeenText* nearestLine(const std::vector<SeenText>& lines, Point towards) {
   return nearest;
 }
 
-/// Takes what the line nearest to the axis measures, if it names another quantity; returns true then. Where
-/// no line names a unit of the axis, nothing else that can be read beside it does.
+/// Takes over the quantity of the line nearest to the axis if that is neither displacement nor force; returns
+/// true then. If no line names a unit of this axis, no other text beside it does.
 template <class Unit>
 bool isContradicted(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Point towards) {
   const SeenText* const nearest = best.unit ? nullptr : nearestLine(lines, towards);
@@ -86,8 +86,8 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
-/// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be
-/// either.
+/// Reads the other axis' unit from a line, but not from the line that gave this axis its own unit: "mn" may
+/// be either.
 template <class Unit, class Parse>
 auto besides(const AxisTitle<Unit>& best, Parse parse) {
   return [&best, parse](const std::string& line, TextSource source) {
@@ -95,7 +95,7 @@ auto besides(const AxisTitle<Unit>& best, Parse parse) {
   };
 }
 
-/// Titles in small print are read once more at other sizes, the nearest first, until one names a unit.
+/// Reads titles in small print once more at other sizes, the nearest first, until one names a unit.
 template <class Unit, class Parse>
 void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<SeenText>& lines, Parse parse) {
   constexpr std::size_t nearest = 2;
@@ -104,8 +104,8 @@ void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<See
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
 }
 
-/// Title from lines inside the plot, if they have a certain unit: a title at the end of an axis may stand
-/// inside the frame. Callouts ("4.2 mm") are not titles.
+/// Title from lines inside the plot, if they name a unit with certainty. A title at the end of an axis may
+/// stand inside the frame; callouts ("4.2 mm") are not titles.
 template <class Unit, class Parse>
 void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
   AxisTitle<Unit> inside;
@@ -113,7 +113,7 @@ void considerInside(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, P
   if (inside.unit && inside.unit->sure >= surePlace) best = std::move(inside);
 }
 
-/// Those that have a bracket: of what stands beside a plot little is its title.
+/// The lines that contain a bracket. Most other writing beside a plot is no title.
 std::vector<SeenText> withBracket(std::vector<SeenText> lines) {
   std::erase_if(lines, [](const SeenText& line) { return !hasBracket(line); });
   return lines;
@@ -123,7 +123,7 @@ std::vector<SeenText> withBracket(std::vector<SeenText> lines) {
 
 namespace {
 
-/// Where a travel axis' title may stand; that of an axis at the top in a mirror.
+/// Regions where a displacement axis' title may stand; mirrored for an axis at the top.
 struct LevelPlaces {
   Box below, close, beside, besideAxis, overEnd;
   Point towards, end;
@@ -138,12 +138,12 @@ LevelPlaces placesBelow(const Box& b, const Box& numbers) {
   LevelPlaces at;
   const double below_px = std::max(0.2 * b.height(), 6 * labels.height());
   at.below = sided({b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px});
-  // Set tight, its line reaches into that of the numbers.
+  // With little spacing the title's line overlaps that of the numbers.
   at.close =
       sided({b.x0 - 0.05 * b.width(), labels.middle().y + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px});
   at.beside = sided({std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.9 * b.width(),
                      b.y1 + 0.25 * b.height()});
-  // Where a force axis begins below zero the travel axis stands higher, and its name beside its end.
+  // If a force axis begins below zero, the displacement axis lies higher, with its title beside its end.
   at.besideAxis = sided({b.x1 + 2, b.y1 - 0.5 * b.height(), b.x1 + 0.4 * b.width(), b.y1 - 0.1 * b.height()});
   at.overEnd = sided({b.x0 + 0.5 * b.width(), b.y1 - 0.12 * b.height(), b.x1 + 0.1 * b.width(), b.y1});
   at.towards = {0.5 * (b.x0 + b.x1), atTop ? numbers.y0 : numbers.y1};
@@ -189,7 +189,7 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
 
 namespace {
 
-/// Where a force axis' title may stand; that of an axis at the right in a mirror.
+/// Regions where a force axis' title may stand; mirrored for an axis at the right.
 struct TitlePlaces {
   Box left, leftOfAxis, above, corner, besideEnd, overEnd;
   Point towards;
@@ -203,7 +203,7 @@ TitlePlaces placesBeside(const Box& b, const Box& numbers) {
     return at.mirrored ? Box{b.x0 + b.x1 - box.x1, box.y0, b.x0 + b.x1 - box.x0, box.y1} : box;
   };
   const Box labels = sided(numbers);
-  // A title set tight reaches over the widest label's first digit.
+  // With little spacing the title overlaps the first digit of the widest label.
   const Box left{b.x0 - 0.45 * b.width(), b.y0 - 0.05 * b.height(), labels.x0 + 0.3 * (labels.x1 - labels.x0),
                  b.y1 + 0.05 * b.height()};
   at.left = sided(left);
@@ -240,18 +240,20 @@ AxisTitle<ForceUnit> readYTitleAt(GraphReading& r, const TitlePlaces& at) {
     upwards.insert(upwards.end(), ofParts.begin(), ofParts.end());
   }
   if (!best.unit) consider(best, r.readLines(at.above, 0, {axis, b.y0}, 6), forceUnitIn);
-  // Read level, a title that runs upwards makes units of single letters.
+  // A title that runs upwards, read as a level line, gives units of single letters, so a level unit must be
+  // certain.
   if (!best.unit || best.unit->sure < surePlace)
     consider(best, r.readLines(at.corner, 90, {axis, b.y0}, 5), forceUnitIn);
   if (!best.unit)
     consider(best, withoutPartsOf(upwards, r.readLines(at.left, 0, {at.towards.x, b.y0}, 2)), forceUnitIn);
-  if (!best.unit) {  // downwards, as in Chinese sheets; other writing read so makes units of single letters
+  // downwards, as in Chinese sheets; other writing read in this direction gives units of single letters
+  if (!best.unit) {
     AxisTitle<ForceUnit> downwards;
     consider(downwards, r.readLines(at.left, -90, at.towards, 1), forceUnitIn);
     if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
   }
   if (!best.unit) considerInside(best, r.readLinesInside(at.besideEnd, 90, {axis, b.y0}, 2), forceUnitIn);
-  // Level beside the axis' arrow, where the frame's top runs through its letters.
+  // A level title beside the axis' arrow, with the frame's top edge through its letters.
   if (!best.unit) considerInside(best, r.readLinesInside(at.overEnd, 0, {axis, b.y0}, 2), forceUnitIn);
   if (!best.unit) considerAgain(best, r, read, forceUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
@@ -266,7 +268,7 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   const TitlePlaces at = placesBeside(b, labels);
   AxisTitle<ForceUnit> title = readYTitleAt(r, at);
   if (title.unit || !title.other.empty() || !at.mirrored) return title;
-  // Programs move tick labels to the right and leave the title where it was.
+  // Some programs move the tick labels to the right side but leave the title on the left.
   AxisTitle<ForceUnit> left = readYTitleAt(r, placesBeside(b, {b.x0 - 1, b.y0, b.x0, b.y1}));
   return left.unit ? left : title;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Axis titles: where they stand, what they say, which unit they name.
+// Axis titles: their position, their text, and the unit they name.
 
 #include <optional>
 #include <string>
@@ -14,15 +14,17 @@ template <class Unit>
 struct AxisTitle {
   std::optional<PrintedUnit<Unit>> unit;
   std::string text;  ///< the line that names the unit, or else the nearest one
-  std::string
-      other;  ///< what the nearest line measures instead, as printed: "kPa", "Time"; empty if nothing else
+  /// the quantity that the nearest line names if it is neither displacement nor force, as printed: "kPa",
+  /// "Time"; else empty
+  std::string other;
 };
 
-/// Below the labels, or at the right end of the axis. The document's own text first; pixels only without it.
+/// Title below the labels or at the right end of the axis. Uses the document's own text; pixels are read only
+/// if it has none.
 AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels);
 /// Left of the labels reading upwards, above the top left corner, or beside the axis' upper end.
 AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels);
-/// Right of the labels of a second scale there, and nowhere else.
+/// Title right of the labels of a second scale; no other place is searched.
 AxisTitle<ForceUnit> readRightTitle(GraphReading& r, const Box& labels);
 
 }  // namespace detent::importer

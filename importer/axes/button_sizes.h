@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Sizes that tell a button from a number misread: no key, dome or tact switch at hand comes near them.
+// Range of travel and force of real buttons. A value outside of it is a misread number: no known key, dome or
+// tact switch comes near the limits.
 
 namespace detent::importer {
 

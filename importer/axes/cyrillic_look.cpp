@@ -13,7 +13,7 @@ namespace {
 
 bool isOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-/// A small Cyrillic letter's capital: а to п lie in one block of bytes, р to я in the next.
+/// Capitalises a Cyrillic word. In UTF-8 the small letters а to п and р to я are in different blocks.
 std::string withCapital(std::string_view word) {
   std::string capital(word);
   const auto second = static_cast<unsigned char>(word[1]);

@@ -10,14 +10,15 @@
 namespace detent::importer {
 namespace {
 
-constexpr int finer = 3;                     // pixels are compared so much finer than the page's
-constexpr double blur_px = 0.45;             // of the page's own pixels: their size, and what scaling spread
-constexpr int room_px = 3;                   // around a word, for trying places
-constexpr double below = 0.3, above = 0.15;  // of a digit's height: reach of a g and of brackets
+constexpr int finer = 3;                     // factor by which pixels are subdivided for the comparison
+constexpr double blur_px = 0.45;             // of the page's own pixels: their size and the blur of scaling
+constexpr int room_px = 3;                   // margin around a word for trying positions
+constexpr double below = 0.3, above = 0.15;  // of a digit's height: descenders such as g, and brackets
 
 int fine(double px) { return std::max(1, static_cast<int>(std::lround(px * finer))); }
 
-/// Of a digit's advance, between those of the sans-serif and serif faces that plotting programs come with.
+/// Width of a character in digit advances: between those of the sans-serif and serif fonts that plotting
+/// programs use.
 double advanceOf(char c) {
   switch (c) {
     case '.':
@@ -50,7 +51,7 @@ double advanceOf(char c) {
   }
 }
 
-/// Correlation at the text's best place; -1 where it has no room.
+/// Correlation at the text's best position; -1 if it does not fit into the patch.
 double likenessOf(const cv::Mat& patch, const cv::Mat& text) {
   if (text.cols > patch.cols || text.rows > patch.rows) return -1;
   cv::Mat alike;
@@ -69,7 +70,7 @@ double advancesOf(const std::string& ascii) {
 }
 
 cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns) {
-  constexpr int rim_px = 1;  // beyond this rim ticks and neighbours begin
+  constexpr int rim_px = 1;  // ticks and neighbours begin beyond this margin
   const cv::Rect marksBox(
       static_cast<int>(std::lround(word.x0 + 0.5)), static_cast<int>(std::lround(word.y0 + 0.5)),
       static_cast<int>(std::lround(word.width())), static_cast<int>(std::lround(word.height())));
@@ -89,7 +90,7 @@ cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns) {
 const cv::Mat& DrawnText::glyph(char c) {
   const auto [at, fresh] = glyphs_.try_emplace(c);
   if (!fresh) return at->second;
-  constexpr double scale = 3;  // of OpenCV's Hershey fonts: large, and reduced to the label's size
+  constexpr double scale = 3;  // OpenCV's Hershey fonts are drawn large and reduced to the label's size
   constexpr int pen = 8;
   int ignored = 0;
   const int height = cv::getTextSize("0", hand_.font, scale, pen, &ignored).height;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Short texts drawn as a plotting program would, to be held against pixels too few for the text engine
-// (docs/develop/decisions/0408-small-print.md).
+// Draws short texts as a plotting program would, to compare them with print that is too small for the text
+// engine (docs/develop/decisions/0408-small-print.md).
 
 #include <map>
 #include <string>
@@ -26,15 +26,16 @@ double advancesOf(const std::string& ascii);
 /// picture. `quarterTurns`: clockwise, until the word stands upright.
 cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns = 0);
 
-/// Texts in one hand, drawn on the pixels of finePatch(); each is drawn once.
+/// Texts drawn in one style on the pixel grid of finePatch(). Each text is drawn once and kept.
 class DrawnText {
  public:
   explicit DrawnText(const Hand& hand) : hand_(hand) {}
 
-  /// Correlation of a patch's pixels with the text at its best place, -1 to 1; -1 where it has no room.
+  /// Correlation of a patch's pixels with the text at its best position, -1 to 1; -1 if the text does not fit
+  /// into the patch.
   double likeness(const cv::Mat& patch, const std::string& ascii);
 
-  /// The same with a text that the patch's word ends with, give or take so many pixels of the page.
+  /// The same for a text at the end of the patch's word, displaced by at most `within_px` pixels of the page.
   double likenessAtEnd(const cv::Mat& patch, const std::string& ascii, double within_px);
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text engine's archives name functions of libraries that are never called here: to fetch a page from the
-// web, to unpack models, to write animations. With these replacements some 40 shared libraries (TLS,
-// Kerberos, LDAP, XML, ICU, ...) need not be loaded (docs/develop/decisions/0406-text-engine.md). Each
-// returns "not possible", as the replaced function may; the engine then goes on without.
+// The text engine's libraries refer to functions of other libraries that it never calls here: fetching a web
+// page, unpacking models, writing animations. These replacements make it unnecessary to load some 40 shared
+// libraries (TLS, Kerberos, LDAP, XML, ICU, ...; docs/develop/decisions/0406-text-engine.md). Each returns an
+// error that the replaced function may return; the engine then continues without it.
 
 extern "C" {
 
@@ -24,7 +24,7 @@ int curl_easy_perform(void*) { return 2; }
 const char* curl_easy_strerror(int) { return "not built in"; }
 void curl_easy_cleanup(void*) {}
 
-// Leptonica's own gifio.c and webpanimio.c: null is no picture, 1 is failure.
+// Leptonica's gifio.c and webpanimio.c: null means no picture, 1 means failure.
 void* pixReadStreamGif(void*) { return nullptr; }
 void* pixReadMemGif(const unsigned char*, unsigned long) { return nullptr; }
 int pixWriteStreamGif(void*, void*) { return 1; }

@@ -14,7 +14,7 @@
 namespace detent::importer {
 namespace {
 
-/// Which letters of all words are of one shape: the number of each one's shape.
+/// Assigns the letters of all words to shapes: the index of each letter's shape.
 std::vector<std::vector<std::size_t>> numbered(const std::vector<std::vector<LetterShape>>& words) {
   std::vector<const LetterShape*> shapes;
   std::vector<std::vector<std::size_t>> numbers;
@@ -30,7 +30,7 @@ std::vector<std::vector<std::size_t>> numbered(const std::vector<std::vector<Let
   return numbers;
 }
 
-/// Returns true if one sign stands for one shape and one shape for one sign in all labels.
+/// Returns true if shapes and digits correspond one to one in all labels.
 bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<std::size_t>>& shapes) {
   constexpr std::size_t none = ~std::size_t{0};
   std::array<std::size_t, 128> shapeOf;
@@ -49,7 +49,7 @@ bool fits(const std::vector<std::string>& texts, const std::vector<std::vector<s
   return true;
 }
 
-/// Number of signs of the labels that the engine read in the same way.
+/// Number of characters that agree with what the engine read.
 std::size_t agreeingTexts(const std::vector<std::string>& texts, const std::vector<std::string>& engine) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < texts.size(); ++i)
@@ -58,7 +58,7 @@ std::size_t agreeingTexts(const std::vector<std::string>& texts, const std::vect
   return count;
 }
 
-/// Returns true if a shape is wider than a digit: several that touch.
+/// Returns true if a shape is wider than a digit, because several digits touch.
 bool anyTouch(const std::vector<std::vector<LetterShape>>& words) {
   constexpr double widest = 1.6;  // times the usual width
   std::vector<int> widths;
@@ -179,7 +179,7 @@ std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::v
 std::string withKnownDigits(const std::string& utf8, const std::vector<LetterShape>& letters,
                             const std::vector<LetterShape>& known) {
   const auto isPartOfSign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
-  if (std::ranges::any_of(utf8, isPartOfSign)) return utf8;  // one letter is several bytes
+  if (std::ranges::any_of(utf8, isPartOfSign)) return utf8;  // a letter outside ASCII has several bytes
   if (utf8.size() - static_cast<std::size_t>(std::ranges::count(utf8, ' ')) != letters.size()) return utf8;
   std::string text = utf8;
   std::size_t at = 0;

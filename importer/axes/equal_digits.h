@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Print whose equal digits are equal to the pixel, as programs draw it that smooth nothing: what the text
-// engine makes of one digit at one place it has to make of it everywhere
+// Print without antialiasing, in which equal digits have equal pixels. A digit that the text engine reads in
+// one place is therefore the same digit wherever its shape recurs
 // (docs/develop/decisions/0408-small-print.md).
 
 #include <cstdint>
@@ -19,9 +19,9 @@ namespace detent::importer {
 struct LetterShape {
   int width = 0, height = 0;
   std::vector<std::uint8_t> isDark;  ///< row by row, 1 or 0
-  char sign = 0;                     ///< 0: not known
+  char sign = 0;                     ///< 0: not known yet
 
-  /// But for a pixel in fifty: compression turns one at times.
+  /// Returns true if at most one pixel in fifty differs, because compression changes single pixels.
   bool resembles(const LetterShape& other) const;
 };
 
@@ -33,19 +33,18 @@ bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words);
 /// pixels, else 0.
 std::vector<LetterShape> lettersOf(const cv::Mat& marks, const Box& word);
 
-/// Numbers in even steps (three to twelve words, ordered along the axis) that have the same digit where the
-/// shape is the same and another one where it is not, nearest to what the engine read. Empty where digits
-/// touch, where the shapes fit no scale, or several that the engine's reading does not tell apart. `rising`:
-/// values grow with the place.
+/// The evenly spaced numbers (three to twelve words, ordered along the axis) that have one digit per shape
+/// and are nearest to what the text engine read. Empty if digits touch, if no scale fits the shapes, or if
+/// the engine's reading does not decide between several scales. `rising`: values grow with the position.
 std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::vector<LetterShape>>& words,
                                                         const std::vector<double>& centers_px, bool rising,
                                                         const std::vector<std::string>& engine);
 
-/// Digits with the shapes of the labels of both axes, each once; none if their print is smoothed or one sign
-/// has two shapes. Darkness and mask are those of the view they were read in.
+/// The digit of each shape among the labels of both axes, each shape once. Empty if the print is antialiased
+/// or if one shape was read as two digits. Darkness and mask are those of the view they were read in.
 std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& marks, const AxisCalibration& axes);
 
-/// The reading of a word with digits of known shape in place of the engine's.
+/// The word as read, with the engine's characters replaced by the digits of known shapes.
 std::string withKnownDigits(const std::string& utf8, const std::vector<LetterShape>& letters,
                             const std::vector<LetterShape>& known);
 

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t fewestLabels = 3;
 
-/// One axis' used labels, along it.
+/// The used labels of one axis, in order.
 struct LabelSeries {
   std::vector<double> positions;  // increasing
   double step_px = 0;             // between neighbours
-  double across = 0;     // middle of the words, across the axis; of a column the edge that they share
-  double height = 0;     // of a word
+  double across = 0;  // middle of the words across the axis; for a column, the edge at which they are aligned
+  double height = 0;  // of a word
   bool onRight = false;  // a column on the frame's right
 };
 
@@ -49,7 +49,7 @@ std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const 
 /// Returns true if a word like the labels is at a position along the axis, or flush with it: `inwards` -1 or
 /// 1 along the axis.
 bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place, int inwards) {
-  constexpr double flush = 0.75;  // of a word's width: half of it, and a little
+  constexpr double flush = 0.75;  // of a word's width: half of it and a margin
   const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;
   return std::any_of(words.begin(), words.end(), [&](const Box& w) {
     const double at = alongX ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
@@ -61,16 +61,16 @@ bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, do
   });
 }
 
-/// Position of the last word that continues the labels in a direction; `edge` if not beyond it.
+/// Position of the last word that continues the labels in a direction; `edge` if no word lies beyond it.
 double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, int direction, double edge) {
-  constexpr double clearlyBeyond = 0.4;  // of a step: a last label may stand a little off the grid
+  constexpr double clearlyBeyond = 0.4;  // of a step: the last label may stand slightly off its place
   double at = direction > 0 ? s.positions.back() : s.positions.front();
   for (int k = 0; k < 20 && wordAt(words, s, alongX, at + direction * s.step_px, -direction); ++k)
     at += direction * s.step_px;
   return direction * (at - edge) > clearlyBeyond * s.step_px ? at : edge;
 }
 
-/// Darkness of a line less that of both its sides, on average over a stretch along it.
+/// Darkness of a line minus that of both its sides, averaged along a stretch.
 double lineContrast(const cv::Mat& darkness, double at, double from, double to, bool upright) {
   constexpr int beside_px = 4;
   const int a = static_cast<int>(std::lround(std::min(from, to))),
@@ -89,8 +89,8 @@ double lineContrast(const cv::Mat& darkness, double at, double from, double to, 
   return (line - sides) / (b - a + 1);
 }
 
-/// Returns true if most gridlines across an edge continue to another position beyond it; also the axis that
-/// it stands on if `countAxis`.
+/// Returns true if most gridlines across an edge continue to another position beyond it. With `countAxis` the
+/// axis itself counts as well.
 bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, double axis, bool countAxis,
                double from, double to, bool upright) {
   constexpr double seen = 6;  // grey levels
@@ -110,8 +110,8 @@ bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, dou
   return (lines >= fewest && 2 * on > lines) || (countAxis && goesOn(axis));
 }
 
-/// Returns true if an edge is drawn where the numbers require one, if with gaps: a last number may be away
-/// from the last line, and the frame ends at that line.
+/// Returns true if an edge is drawn where the numbers require one, even with gaps. The last number may stand
+/// away from the last line; the frame then ends at the line.
 bool isDrawn(const cv::Mat& darkness, double edge, double from, double to, bool upright) {
   constexpr double seen = 6, enough = 0.3;  // grey levels; of the pieces
   constexpr int reach_px = 4, pieces = 20;
@@ -141,7 +141,7 @@ std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, 
     if (wider == at) return at;
     const auto& across = alongX ? frame.yLines : frame.xLines;
     const double axis = alongX ? box.y1 : box.x0;
-    // Above a drawn edge the axis goes on to an arrow.
+    // Above a drawn upper edge the axis continues to an arrow.
     const bool open = !isDrawn(darkness, at, from, to, alongX);
     const bool goesOn =
         linesGoOn(darkness, across, axis, open, at + 2.0 * direction, wider - 2.0 * direction, alongX);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The second opinion on a frame: its numbers count on beyond an edge where the edge is an inner gridline.
+// Checks a plot frame by its numbers: if they continue beyond an edge, that edge is an inner gridline.
 
 #include <optional>
 
@@ -8,9 +8,9 @@
 
 namespace detent::importer {
 
-/// The frame widened to the outermost words that stand where the labels' progression goes on, in view pixels;
-/// nullopt where none does, as on nearly all pages. Upright frames. Nothing is read: whoever reads the wider
-/// frame's axes sees whether the words are numbers that count on.
+/// The frame widened to the outermost words whose positions continue the progression of the labels, in view
+/// pixels; nullopt if there are none, as on nearly all pages. Upright frames only. The words are not read
+/// here: reading the axes of the wider frame shows whether they continue the numbers.
 std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, const AxisCalibration& axes);
 
 }  // namespace detent::importer

@@ -15,7 +15,8 @@
 namespace detent::importer {
 namespace {
 
-// Heights of a line, brackets and all: the engine reads larger ones as well, and nothing does lower ones.
+// Heights of a line including brackets: the engine also reads larger ones; print below the smallest height
+// cannot be read.
 constexpr double smallPrint_px = 9, smallestPrint_px = 5;
 
 std::vector<double> positions(const std::vector<GridLine>& lines) {
@@ -24,7 +25,8 @@ std::vector<double> positions(const std::vector<GridLine>& lines) {
   return out;
 }
 
-/// Words and nothing else: what has a long dash may be a legend's row, whose samples part it.
+/// Returns true if a text consists of words only. One with a long dash may be a legend row that its keys
+/// divide.
 bool ofUse(const SeenText& t) {
   if (t.utf8.find("\xE2\x80\x94") != std::string::npos) return false;
   const auto letters = std::count_if(t.utf8.begin(), t.utf8.end(),
@@ -34,7 +36,7 @@ bool ofUse(const SeenText& t) {
 
 int quarterTurnsOf(double angle_deg) { return angle_deg == 90 ? 1 : angle_deg == -90 ? 3 : 0; }
 
-/// The blobs of a region, turned so that lines at this angle read along +x.
+/// The blobs of a region, rotated so that lines at this angle read along +x.
 std::vector<Box> turnedLetters(const GraphReading& r, const std::vector<Box>& glyphs, const Box& region,
                                double angle_deg) {
   auto letters = glyphsIn(glyphs, region, r.largestGlyph_px());
@@ -66,12 +68,12 @@ std::vector<Box> joinedParts(std::vector<Box> lines) {
     i = 0;
   }
   if (lines.size() == before) return {};
-  // Parts of a line that were joined to different others stand beside each other now.
+  // Lines whose parts were joined separately now stand side by side.
   return textLines(lines, 1.3);
 }
 
-/// Returns true if a line is long enough to be a title and has no unit of its own, or is so short that a
-/// letter of it may be lost.
+/// Returns true if a line may have an unread unit: it is long enough to be a title and has none, or so short
+/// that one letter may be lost.
 bool mayHideUnit(const Box& line, const std::string& text) {
   if (line.width() < 2 * line.height() || !otherQuantityIn(text).empty()) return false;
   const auto force = forceUnitIn(text);
@@ -79,11 +81,11 @@ bool mayHideUnit(const Box& line, const std::string& text) {
   return !lengthUnitIn(text);
 }
 
-/// The bracketed unit of a line whose letters the engine does not know, though it saw a bracket, and in which
-/// nothing else names one.
+/// The bracketed unit of a line in which the engine saw a bracket but could not read the letters, if nothing
+/// else in it names a unit.
 std::optional<std::string> unreadUnit(const cv::Mat& darkness, const Box& place, double height_px,
                                       int quarterTurns, const std::string& text) {
-  constexpr double largest_px = 16;  // the engine separates larger brackets and letters
+  constexpr double largest_px = 16;  // the engine reads larger print correctly
   if (height_px > largest_px || forceUnitIn(text) || text.find_first_of("()[]") == std::string::npos)
     return {};
   return bracketedUnit(darkness, place, quarterTurns);

@@ -31,16 +31,16 @@ class GraphReading {
   /// Lines of writing in a region, read from pixels, nearest to `towards` first. `angle_deg` 0, 90 or -90.
   std::vector<SeenText> readLines(const Box& region, double angle_deg, Point towards, std::size_t atMost);
 
-  /// The same for writing in the plot itself that touches nothing.
+  /// The same for words inside the plot that touch no other mark.
   std::vector<SeenText> readLinesInside(const Box& region, double angle_deg, Point towards,
                                         std::size_t atMost);
 
-  /// The same for scripts whose letters are of several parts, one above the other: those that readLines took
-  /// for lines of their own are one line. Nothing where no parts lie so.
+  /// The same for scripts whose letters consist of parts above one another: what readLines took for two lines
+  /// is read as one. Empty if no two lines lie that way.
   std::vector<SeenText> readLinesOfParts(const Box& region, double angle_deg, Point towards,
                                          std::size_t atMost);
 
-  /// Labels that were read take part in no other line of writing.
+  /// Excludes labels that were read from all further lines of writing.
   void setAside(const std::vector<Box>& words);
 
   /// The document's own texts whose middle lies in the region.

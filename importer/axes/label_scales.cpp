@@ -17,7 +17,7 @@ std::string written(double value, int decimals) {
   return text;
 }
 
-/// Without zeros behind the point.
+/// The number's text without trailing zeros behind the decimal point.
 std::string shortened(std::string text) {
   if (text.find('.') == std::string::npos) return text;
   while (text.back() == '0') text.pop_back();
@@ -33,7 +33,8 @@ std::vector<int> evenSteps(const std::vector<double>& centers_px) {
   for (std::size_t i = 1; i < centers_px.size(); ++i)
     pitch = std::min(pitch, centers_px[i] - centers_px[i - 1]);
   if (!(pitch > 4)) return {};
-  for (int round = 0; round < 2; ++round)  // the smallest gap is off by a pixel, all together are not
+  // the smallest gap may be off by a pixel; the mean of all gaps is more exact
+  for (int round = 0; round < 2; ++round)
     pitch = (centers_px.back() - centers_px.front()) /
             std::max(1.0, std::round((centers_px.back() - centers_px.front()) / pitch));
   std::vector<int> steps;
@@ -54,8 +55,8 @@ std::vector<LabelScale> scalesOf(std::vector<int> steps, bool rising) {
                                  Mantissa{2.5, -1, 1}, Mantissa{4, -2, 0},   Mantissa{3, -2, 0},
                                  Mantissa{1.5, -2, 1}, Mantissa{6, -3, 0},   Mantissa{8, -3, 0},
                                  Mantissa{1.2, -3, 1}, Mantissa{1.25, -3, 2}};
-  constexpr double notFromZero = -2,
-                   zerosBehind = -0.5;  // nats: axes begin at 0, and no two zeros follow a point
+  // nats: penalties for a scale that does not begin at 0, and for zeros behind the decimal point
+  constexpr double notFromZero = -2, zerosBehind = -0.5;
   constexpr int furthestStart = 12;
   if (!rising)
     for (int& k : steps) k = -k;

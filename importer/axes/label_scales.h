@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Scales that a row of labels in even steps may stand on, whatever is read in it.
+// All scales that a row of evenly spaced labels may have, independent of what is read there.
 
 #include <cstddef>
 #include <string>
@@ -10,20 +10,21 @@ namespace detent::importer {
 
 inline constexpr std::size_t fewestLabels = 3, mostLabels = 12;  ///< of a row that is read by its scale
 
-/// A scale the labels may stand on: value of each, and how usual it is.
+/// A candidate scale: the value of each label, and how common such a scale is.
 struct LabelScale {
   std::vector<std::string> texts;
-  double prior = 0;             ///< nats, <= 0
-  double step = 0, lowest = 0;  ///< from label to label, and the smallest value
+  double prior = 0;             ///< logarithm of the prior probability (nats), <= 0
+  double step = 0, lowest = 0;  ///< difference of neighbouring labels, and the smallest value
 
-  /// Zeros behind the point or none: the same numbers.
+  /// True if the scales differ only in zeros behind the decimal point.
   bool sameValues(const LabelScale& other) const { return step == other.step && lowest == other.lowest; }
 };
 
-/// Places as whole steps from the first; empty if they are not even.
+/// The positions as whole numbers of steps from the first; empty if they are not evenly spaced.
 std::vector<int> evenSteps(const std::vector<double>& centers_px);
 
-/// All scales of nice steps from zero or a multiple of the step. `rising`: values grow with the place.
+/// All scales whose step is a round number and that begin at zero or a multiple of the step. `rising`: values
+/// grow with the position.
 std::vector<LabelScale> scalesOf(std::vector<int> steps, bool rising);
 
 }  // namespace detent::importer

@@ -61,7 +61,7 @@ Box placeBelowHighest(const GraphReading& r, const AxisLabels& labels, bool alon
 template <class Unit, class Parse>
 std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels, bool alongX,
                                         double certain, Parse parse) {
-  constexpr int fewest = 4;  // labels that make the scale without it
+  constexpr int fewest = 4;  // labels that define the scale without it
   if (!labels.progression || !labels.progression->fromTicks || labels.progression->labels < fewest) return {};
   const Box place = placeBelowHighest(r, labels, alongX);
   if (place.empty()) return {};
@@ -76,7 +76,7 @@ std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& label
 
 std::optional<LengthUnit> lengthUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels) {
   constexpr double certain =
-      0.8;  // of the engine's confidence: units of length are hardly confused, cN and mN are
+      0.8;  // of the engine's confidence: units of length are hardly confused, but cN and mN are
   return unitInPlaceOfNumber<LengthUnit>(r, labels, true, certain, lengthUnitIn);
 }
 
@@ -89,7 +89,7 @@ std::optional<LengthUnit> lengthUnitBehindNumbers(GraphReading& r, const AxisLab
 }
 
 std::optional<ForceUnit> forceUnitBehindNumbers(GraphReading& r, const AxisLabels& labels) {
-  // The axis is to be one of forces: "of" is what the engine makes of "gf" there.
+  // On a force axis the engine reads "gf" as "of".
   return unitBehindNumbers<ForceUnit>(r, labels, [](const std::string& letters, TextSource source) {
     const auto unit = forceUnitIn(letters, source);
     return unit ? unit : forceUnitIn("force (" + letters + ")", source);

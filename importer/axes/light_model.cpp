@@ -9,14 +9,14 @@
 namespace detent::importer {
 namespace {
 
-// Parts of a .traineddata file, by their place in its table (tesseract/ccutil/tessdatamanager.h).
+// Indices of parts in the table of a .traineddata file (tesseract/ccutil/tessdatamanager.h).
 constexpr std::size_t wordList = 19, lettersOfLines = 21;
 constexpr std::size_t mostParts = 64;
 constexpr unsigned firstPrivate = 0xE100,
-                   privateCount = 0xF8FF - firstPrivate;  // the engine has its own use of U+E003..E009
+                   privateCount = 0xF8FF - firstPrivate;  // the engine itself uses U+E003 to U+E009
 constexpr std::size_t reserved = 3;  // space, joined, broken: the engine knows them by name
 
-/// Three bytes each.
+/// UTF-8 of a code point of three bytes.
 std::string utf8Of(unsigned code) {
   return {static_cast<char>(0xE0 | code >> 12), static_cast<char>(0x80 | (code >> 6 & 0x3F)),
           static_cast<char>(0x80 | (code & 0x3F))};
@@ -24,7 +24,7 @@ std::string utf8Of(unsigned code) {
 
 using Parts = std::vector<std::optional<std::string_view>>;
 
-/// The table is a count and the offsets, -1 for what is not there; a part reaches to the next one's start.
+/// Reads the table: a count and the offsets, -1 for an absent part. Each part ends where the next one begins.
 std::optional<Parts> partsOf(std::string_view data) {
   std::int32_t count = 0;
   if (data.size() < sizeof count) return {};
@@ -65,8 +65,8 @@ std::string joined(const Parts& parts) {
   return data;
 }
 
-/// The list of letters with private names. A line is LETTER PROPERTIES... NORMAL-FORM, separated by blanks,
-/// then a tab and a remark. Empty if the list has another format.
+/// The list of letters with private names. A line has the form LETTER PROPERTIES... NORMAL-FORM, separated by
+/// blanks, then a tab and a remark. Empty if the list has another format.
 std::string renamedList(std::string_view list, std::vector<std::string>& letters) {
   std::istringstream in{std::string(list)};
   std::string line;
@@ -100,7 +100,7 @@ std::optional<LightModel> LightModel::from(std::string_view traineddata) {
   const std::string list = renamedList(*(*parts)[lettersOfLines], model.letters_);
   if (list.empty()) return {};
   (*parts)[lettersOfLines] = list;
-  (*parts)[wordList].reset();  // never loaded: words of a language would turn "gf" into "of"
+  (*parts)[wordList].reset();  // not loaded, because words of a language would turn "gf" into "of"
   model.bytes_ = joined(*parts);
   return model;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tesseract's model without nine tenths of its start-up time: a table of letters that older recognisers
-// confused. The engine searches every letter of that table among the model's own; with those renamed to
-// private code points it finds none and skips it. docs/develop/decisions/0406-text-engine.md
+// Loads Tesseract's model in a tenth of the usual start-up time. Most of that time the engine searches its
+// letters for those of a table of letters that older recognisers confused. This model renames those letters
+// to private code points, so the engine finds none of them and skips the search.
+// docs/develop/decisions/0406-text-engine.md
 
 #include <optional>
 #include <string>
@@ -11,18 +12,19 @@
 
 namespace detent::importer {
 
-/// A model to start the engine from memory with, and the letters behind its private code points.
+/// A renamed model for starting the engine from memory, with the letters behind its private code points.
 class LightModel {
  public:
-  /// Reads the bytes of a .traineddata file. nullopt if they are no such file or of another layout: then the
-  /// engine has to start from the file itself.
+  /// Reads the bytes of a .traineddata file. nullopt if they are none or have another layout; the engine must
+  /// then start from the file itself.
   static std::optional<LightModel> from(std::string_view traineddata);
 
   /// The model for TessBaseAPI::Init from memory.
   const std::string& bytes() const { return bytes_; }
-  /// Request to the engine, letter by letter, with its own names. Letters it does not know are left out.
+  /// Translates a list of letters for the engine into its private names. Letters that the model does not have
+  /// are left out.
   std::string renamed(std::string_view letters) const;
-  /// The engine's answer, as written on the page.
+  /// Translates the engine's answer back to the letters on the page.
   std::string original(std::string_view answer) const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 bool isDigitAt(std::string_view s, std::size_t at) { return at < s.size() && s[at] >= '0' && s[at] <= '9'; }
 
-/// ASCII with '.' and '-'; empty if a character is none of a number.
+/// The number in ASCII with '.' and '-'; empty if it contains a character that no number has.
 std::string plain(std::string_view utf8) {
   const std::string s = withoutGroupSigns(utf8);
   std::string out;
@@ -48,10 +48,10 @@ std::optional<double> parsed(std::string_view s) {
   return value;
 }
 
-/// Possible meanings of the sign in a number.
+/// Possible meanings of the separator in a number.
 enum class SignIn {
   none,       ///< a whole number
-  thousands,  ///< "1,000", "12,500": may be either
+  thousands,  ///< "1,000", "12,500": thousands or decimals
   decimals    ///< "0.125", "1.25", "12.5"
 };
 
@@ -99,7 +99,7 @@ bool resembles(std::string_view read, std::string_view number) {
 
 std::optional<double> printedNumber(std::string_view utf8) {
   std::string s = plain(utf8);
-  // Dust beside a digit is read as a point, a tick behind it as a minus.
+  // Dust beside a digit is read as a point, and a tick behind it as a minus sign.
   while (s.size() > 1 && (s.back() == '.' || s.back() == '-')) s.pop_back();
   if (s.empty() || s == "-" || s == "." || s.size() > 9) return std::nullopt;
   if (s.front() == '.') s.insert(s.begin(), '0');
@@ -107,7 +107,8 @@ std::optional<double> printedNumber(std::string_view utf8) {
 }
 
 std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence) {
-  constexpr double repair = 0.45, repairOfSure = 0.3;  // weights of readings; what is printed has 1
+  // weights of repaired readings; the text as printed has weight 1
+  constexpr double repair = 0.45, repairOfSure = 0.3;
   std::vector<NumberReading> readings;
   const auto first = printedNumber(utf8);
   if (!first) return readings;
@@ -116,7 +117,7 @@ std::vector<NumberReading> numberReadings(std::string_view utf8, double confiden
   while (s.back() == '-' || s.back() == '.') s.pop_back();
   const auto digits = static_cast<std::size_t>(
       std::count_if(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; }));
-  // Thousands set apart are no number that lost its point.
+  // A number with thousands separators has not lost a decimal point.
   const bool grouped = utf8.front() != '+' && withoutGroupSigns(utf8).size() < utf8.size();
   if (s.find('.') != std::string::npos || digits < 2 || grouped) return readings;
   const std::size_t lead = s.front() == '-' ? 1 : 0;
@@ -156,7 +157,7 @@ ThousandsSign expectThousands(const std::vector<std::string>& texts,
     const SignIn sign = signIn(texts[i]);
     const std::string digits = digitsOf(texts[i]);
     zeros += digits == "0";
-    // Four digits may have lost a point, and "050" has.
+    // Numbers of two or three digits may have lost a point; "050" certainly has.
     hundreds += sign == SignIn::none && (digits.size() == 2 || digits.size() == 3) && digits.front() != '0';
     thousands += sign == SignIn::thousands;
     decimals += sign == SignIn::decimals || (digits.size() > 1 && digits.front() == '0');
@@ -164,7 +165,7 @@ ThousandsSign expectThousands(const std::vector<std::string>& texts,
   }
   if (thousands == 0 || decimals > 0) return ThousandsSign::none;
   const bool certain = hundreds > 0 || (comma && zeros > 0);
-  // Three decimals of a whole number, printed with a point, are unusual only beside a bare zero.
+  // A whole number printed with three decimals is unusual only if the zero beside it has none.
   if (!certain) return (comma && thousands > 1) || zeros > 0 ? ThousandsSign::possible : ThousandsSign::none;
   for (std::size_t i = 0; i < texts.size(); ++i)
     if (!readings[i].empty() && signIn(texts[i]) == SignIn::thousands)

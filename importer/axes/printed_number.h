@@ -12,13 +12,14 @@ namespace detent::importer {
 /// Confidence of the text engine from which a label counts as read, 0..1.
 inline constexpr double readWithCertainty = 0.9;
 
-/// A number a label could mean. The first reading weighs 1, repairs (a lost decimal point) less.
+/// A number that a label could mean. The label as read has weight 1; a repaired reading (a restored decimal
+/// point) has less.
 struct NumberReading {
   double value = 0;
   double weight = 1;
 };
 
-/// A number as it is computed with: without a plus in front and without apostrophes that set thousands apart
+/// The number in computable form: without a leading plus sign and without apostrophes as thousands separators
 /// ("1'000").
 std::string withoutGroupSigns(std::string_view utf8);
 
@@ -26,24 +27,25 @@ std::string withoutGroupSigns(std::string_view utf8);
 /// anything else stands in it.
 std::optional<double> printedNumber(std::string_view utf8);
 
-/// All readings of a label: as it stands, and with the decimal point that small print loses put back, which
-/// weighs less where the label was read with certainty. `confidence` 0..1 of the reading.
+/// All readings of a label: as it stands, and with a decimal point restored that small print may have lost.
+/// The second weighs less if the label was read with certainty. `confidence` 0..1 of the reading.
 std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence = 0);
 
-/// Readings of numbers in one print, `texts` as they were read: where one has lost its point ("08" can only
-/// be 0.8) it counts as read, and all others may have lost theirs as well as not.
+/// Adjusts readings of numbers in one print if one of them has lost its point ("08" can only be 0.8): with
+/// the point it then has full weight, and in all other labels a lost point is as likely as none. `texts` as
+/// they were read.
 void expectLostPoints(const std::vector<std::string>& texts,
                       std::vector<std::vector<NumberReading>>& readings);
 
-/// Three digits behind a sign: a thousand, or three decimals?
+/// Interpretation of a sign that precedes three digits: thousands separator or decimal point?
 enum class ThousandsSign {
-  none,      ///< no number is written so, or others in the print say that decimals stand there
-  certain,   ///< whole numbers stand beside them: "500", "1,000"
-  possible,  ///< "1,000" and "2,000" alone may be either
+  none,      ///< no number has that form, or other numbers show that the sign is a decimal point
+  certain,   ///< thousands separator: whole numbers stand beside them ("500", "1,000")
+  possible,  ///< ambiguous: there are only numbers like "1,000" and "2,000"
 };
 
-/// Readings of numbers in one print where a sign sets thousands apart: "500, 1,000, 1,500" counts by five
-/// hundreds. Where it is certain the decimal reading goes.
+/// Adjusts readings of numbers in one print in which a sign separates thousands: "500, 1,000, 1,500"
+/// increases by 500. If that is certain, the decimal readings are removed.
 ThousandsSign expectThousands(const std::vector<std::string>& texts,
                               std::vector<std::vector<NumberReading>>& readings);
 

@@ -12,10 +12,11 @@
 namespace detent::importer {
 namespace {
 
-constexpr double agree_px = 1.6;        // a tick may be snapped to whole pixels at either end
-constexpr double agreeOfPitch = 0.035;  // pictures that were scaled without smoothing have uneven grids
+constexpr double agree_px = 1.6;  // a tick may be rounded to a whole pixel at either end
+// pictures that were scaled without smoothing have unevenly spaced grids
+constexpr double agreeOfPitch = 0.035;
 
-/// Of decimal numbers, the smallest unit they are whole in: of their last printed digit.
+/// The largest unit of which all decimal numbers are multiples: that of their last printed digit.
 double lastDigitOf(const std::vector<double>& values) {
   double scale = 1;
   const auto whole = [&](double v) { return std::abs(v * scale - std::round(v * scale)) < 1e-6; };
@@ -31,11 +32,12 @@ double exactStep(const std::vector<double>& values) {
   return static_cast<double>(std::abs(step)) * lastDigit;
 }
 
-/// The number that five values and more count by, each of them off by no more than the rounding of its last
-/// printed digit: programs that part an axis evenly print 0.2137, 0.4273, 0.6410. 0 if they do not.
+/// The common step of at least five values of which each may be off by the rounding of its last digit: a
+/// program that divides an axis evenly prints 0.2137, 0.4273, 0.6410. 0 if there is no such step.
 double roundedStep(std::vector<double> values) {
   constexpr std::size_t fewest = 5;
-  constexpr double leastDigits = 10;  // of a step, in last digits: below it much counts on evenly
+  // of a step, in units of the last digit: with smaller steps many values fit by chance
+  constexpr double leastDigits = 10;
   if (values.size() < fewest) return 0;
   const double lastDigit = lastDigitOf(values);
   std::ranges::sort(values);
@@ -50,7 +52,7 @@ double commonStep(const std::vector<double>& values) {
   return std::max(exactStep(values), roundedStep(values));
 }
 
-/// 1, 2, 2.5, 4, 5 × 10^k are steps people draw axes with; others are rarer.
+/// Prior for a step: 1, 2, 2.5, 4 or 5 × 10^k are usual on axes; others are rarer.
 double niceness(double step) {
   const double m = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
   for (const double nice : {1.0, 2.0, 5.0, 10.0})
@@ -60,7 +62,7 @@ double niceness(double step) {
   return 0.6;
 }
 
-/// Labels count on: of all values between the first and the last one, the share that is there.
+/// Share of the values between the first and the last one that are present.
 double completeness(const std::vector<double>& values, double step) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return static_cast<double>(values.size()) / ((*high - *low) / step + 1);
@@ -74,7 +76,7 @@ struct Trial {
 struct Places {
   std::vector<double> at;  ///< of the label: its tick or its centre
   std::vector<bool> hasTick;
-  double agree = agree_px;  ///< how far a label's tick may be off the progression
+  double agree = agree_px;  ///< tolerance of a label's tick against the progression
 };
 
 Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<GridLine>& ticks) {
@@ -115,7 +117,7 @@ Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& positio
       best = r.weight;
       trial.reading[i] = static_cast<int>(k);
     }
-    // A label without a tick (the zero in the corner) stands where there was room.
+    // A label without a tick (the zero in the corner) may stand anywhere near its place, so it counts half.
     trial.weight += positions.hasTick[i] ? best : 0.5 * best;
   }
   return trial;
@@ -157,9 +159,9 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
   return best;
 }
 
-/// A reading that alone needs a much finer step than all the others is a misreading that happens to lie
-/// close: a repaired one ("198" as 19.8 near 20) sooner than one read as it stands (a zero and its tick as
-/// 0.4).
+/// Removes a reading that alone requires a much finer step than all the others: it is a misreading that fits
+/// by chance. A repaired reading ("198" as 19.8 near 20) is removed sooner than one read as it stands (a zero
+/// and its tick as 0.4).
 void dropStrayReadings(const std::vector<LabelPlace>& labels, Trial& t) {
   constexpr double finerIfRepaired = 4, finerAsRead = 20;  // times
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -173,7 +175,7 @@ void dropStrayReadings(const std::vector<LabelPlace>& labels, Trial& t) {
   }
 }
 
-/// Lines that stand at multiples of a step, in pixels off.
+/// Lines at multiples of a step, with their deviations in pixels.
 struct OnStep {
   std::vector<std::pair<double, double>> pairs;  // position, value
   double step = 0;
@@ -189,7 +191,7 @@ OnStep linesOnStep(const std::vector<GridLine>& ticks, const Progression& p, dou
     const double off = std::abs(p.position(v) - t);
     if (off > tolerance) continue;
     if (!on.pairs.empty() && std::abs(on.pairs.back().second - v) < 0.5 * step) {
-      // Two lines for one value: the one that fits.
+      // Two lines for one value: the one that fits better is kept.
       if (off < std::abs(p.position(v) - on.pairs.back().first)) on.pairs.back().first = t;
       continue;
     }
@@ -198,7 +200,7 @@ OnStep linesOnStep(const std::vector<GridLine>& ticks, const Progression& p, dou
   return on;
 }
 
-/// Number of lines of a grid with this step between the outermost ones found.
+/// Number of lines that a grid with this step has between its outermost ones.
 double expectedLines(const OnStep& on) {
   if (on.pairs.size() < 2) return 0;
   double low = on.pairs.front().second, high = low;
@@ -242,7 +244,7 @@ void fitLine(const std::vector<std::pair<double, double>>& pairs, Progression& p
   p.residual_px = std::sqrt(sum / n);
 }
 
-/// Least squares, then again without lines that something beside them pulled aside.
+/// Least squares, repeated without lines that a neighbouring mark has displaced.
 void fitLineRobustly(std::vector<std::pair<double, double>> pairs, Progression& p) {
   fitLine(pairs, p);
   for (int round = 0; round < 3 && pairs.size() > 3; ++round) {
@@ -264,7 +266,7 @@ void fitLineRobustly(std::vector<std::pair<double, double>> pairs, Progression& 
   }
 }
 
-/// Places of the labels that agree, with what they say.
+/// Positions and values of the labels that agree.
 std::vector<std::pair<double, double>> centresOf(const std::vector<LabelPlace>& labels,
                                                  const Progression& p) {
   std::vector<std::pair<double, double>> centres;
@@ -275,7 +277,7 @@ std::vector<std::pair<double, double>> centresOf(const std::vector<LabelPlace>& 
   return centres;
 }
 
-/// Unevenness of the labels' distances from the positions of their values: all a little lower is even.
+/// Scatter of the labels' distances from the positions of their values. If all are shifted equally, it is 0.
 double unevenness_px(const std::vector<std::pair<double, double>>& centres, const Progression& p) {
   double sum = 0, squares = 0;
   for (const auto& [x, v] : centres) sum += p.position(v) - x, squares += std::pow(p.position(v) - x, 2);
@@ -283,8 +285,9 @@ double unevenness_px(const std::vector<std::pair<double, double>>& centres, cons
   return std::sqrt(std::max(0.0, squares / n - std::pow(sum / n, 2)));
 }
 
-/// Returns the scale of the evenly spaced row of labels if only few labels have a line within reach and the
-/// scale through those few leaves the row: then one of the lines belongs to a curve or a leader.
+/// Handles a row of evenly spaced labels of which only few have a line within reach. If the scale through
+/// those lines does not fit the row, one of the lines belongs to a curve or a leader; the scale of the row is
+/// returned then.
 std::optional<Progression> scaleOfRow(const std::vector<LabelPlace>& labels, const Progression& p,
                                       int withTick) {
   constexpr int fewest = 5;

@@ -59,7 +59,7 @@ Failure unread(const std::optional<AxisLabels>& labels, Axis axis, const std::ve
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }
 
-/// The labels of an axis without a progression that is mere chance: two of many numbers always lie on some
+/// The labels of an axis, without a progression that arises by chance: of many numbers some two always fit a
 /// scale.
 std::optional<AxisLabels> credibleLabels(GraphReading& r, Axis axis) {
   auto labels = readAxisLabels(r, axis);
@@ -68,7 +68,7 @@ std::optional<AxisLabels> credibleLabels(GraphReading& r, Axis axis) {
   return labels;
 }
 
-/// Frames end at ticks: a value that stands within a pixel of one is that one.
+/// Frames end at ticks, so a value within a pixel of a tick is rounded to it.
 double settled(double value, const Progression& p) {
   const double nearest = std::round(value / p.substep) * p.substep;
   if (std::abs(p.position(nearest) - p.position(value)) > 1.2) return value;
@@ -93,7 +93,7 @@ std::vector<TickLabel> tickLabels(const AxisLabels& labels) {
   return out;
 }
 
-/// Values at the frame's ends: as given, else as the labels say.
+/// Values at the frame's ends: those given, else those of the labels.
 EndValues valuesAtEnds(const std::optional<AxisLabels>& labels, double first_px, double last_px,
                        std::optional<double> givenFirst, std::optional<double> givenLast) {
   EndValues v;
@@ -101,11 +101,11 @@ EndValues valuesAtEnds(const std::optional<AxisLabels>& labels, double first_px,
   return {givenFirst.value_or(v.first), givenLast.value_or(v.last)};
 }
 
-/// View pixels to values, through the frame's four corners: affine for upright frames, projective for leaning
-/// ones.
+/// Map from view pixels to values through the frame's four corners: affine for upright frames, projective for
+/// tilted ones.
 Homography homographyOf(const std::array<Point, 4>& corners, const EndValues& x, const EndValues& y) {
   const std::array<Point, 4> to{{{x.first, y.first}, {x.last, y.first}, {x.last, y.last}, {x.first, y.last}}};
-  // Scaled to about 1, so that the solution is as exact as the corners are.
+  // Coordinates are scaled to about 1 so that rounding does not spoil the solution.
   const double size = std::max({std::abs(corners[2].x), std::abs(corners[2].y), 1.0});
   const double sx = std::max(std::abs(x.first), std::abs(x.last)),
                sy = std::max(std::abs(y.first), std::abs(y.last));
@@ -128,7 +128,7 @@ Homography homographyOf(const std::array<Point, 4>& corners, const EndValues& x,
            h(6) / size, h(7) / size, 1}};
 }
 
-/// The value of the nearest line at a label's place, as the labels that agree have it.
+/// The value of the line nearest to a label, according to the labels that agree.
 double lineValue(const Progression& p, double position_px) {
   return std::round(p.value(position_px) / p.substep) * p.substep + 0.0;
 }
@@ -139,17 +139,18 @@ std::string shownNumber(double value) {
   return text;
 }
 
-/// "0" where 80 should stand: the recogniser lost a digit, the page contradicts nothing.
+/// Returns true if a label is the rest of the expected number: "0" instead of 80. The engine lost a digit;
+/// the page contradicts nothing.
 bool isRestOf(const std::string& read, const std::string& expected) {
   const std::string digits = digitsOf(read);
   return !digits.empty() && digits.size() < digitsOf(expected).size() &&
          digitsOf(expected).find(digits) != std::string::npos;
 }
 
-/// Relation of a readable label to the scale the others agree on.
+/// Verdict on a readable label by the scale of the others.
 enum class LabelVerdict {
-  fits,  ///< on its line, or its line's value a little beside it (the zero in the corner)
-  rest,  ///< a piece of the number that should be there, or a similar one
+  fits,  ///< at its value's line, or slightly beside it (the zero in the corner)
+  rest,  ///< a part of the expected number, or a number of similar shape
   contradicts
 };
 
@@ -159,7 +160,7 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
   const double expected = lineValue(p, p.tickOf[i]);
   for (const auto& reading : labels.readings[i])
     if (reading.weight >= 1 && std::abs(reading.value - expected) < 1e-6 * p.step) return LabelVerdict::fits;
-  constexpr int many = 4;  // labels that agree outvote one that may be misread
+  constexpr int many = 4;  // number of agreeing labels that outvote one possibly misread one
   const std::string shown = shownNumber(expected);
   constexpr double fully = 0.94;  // of the engine's certainty
   const SeenText& word = labels.words[i];
@@ -167,14 +168,13 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
   return isMisread || isRestOf(labels.words[i].utf8, shown) ? LabelVerdict::rest : LabelVerdict::contradicts;
 }
 
-/// A residual as on an axis no longer than a plot needs: scaled up, a plot's lines are off by more pixels and
-/// not by more.
+/// Residual as for an axis of usual length: in an enlarged plot the same relative error is more pixels.
 double residualAtUsualSize_px(double residual_px, double length_px) {
   constexpr double longestNeeded_px = 1500;
   return residual_px / std::max(1.0, length_px / longestNeeded_px);
 }
 
-/// Of the values that a scale counts through between its outermost labels, the share that is printed.
+/// Share of the scale's values between its outermost labels that are printed.
 double printedShare(const AxisLabels& labels) {
   const Progression& p = *labels.progression;
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -187,10 +187,10 @@ double printedShare(const AxisLabels& labels) {
   return p.labels / ((high - low) / p.step + 1);
 }
 
-/// Values of the labels that agree: scales count from a multiple of their step, and near zero as often as
-/// not. 48, 68 and 88 beside labels that say otherwise, or 6.1 to 6.3 alone, are digits misread alike.
+/// Plausibility of the agreeing labels' values: scales count in multiples of their step and usually begin
+/// near zero. 48, 68 and 88 among other labels, or 6.1 to 6.3 alone, are digits misread in the same way.
 double usualOf(const AxisLabels& labels, int readable) {
-  constexpr double misreadAlike = 0.4, farFromZero = 5;  // the last in spans
+  constexpr double misreadAlike = 0.4, farFromZero = 5;  // the second in spans of the labels
   const Progression& p = *labels.progression;
   double low = HUGE_VAL, high = -HUGE_VAL, offStep = 0;
   for (std::size_t i = 0; i < p.reading.size(); ++i) {
@@ -203,8 +203,8 @@ double usualOf(const AxisLabels& labels, int readable) {
   return stray || low > farFromZero * (high - low) ? misreadAlike : 1;
 }
 
-/// Returns true if labels without ticks make a scale by themselves: a complete progression, each within a
-/// fraction of a pixel of its even position, with the axis at one of its steps.
+/// Returns true if labels without ticks are a scale by themselves: a complete progression, each within a
+/// fraction of a pixel of its place, with the axis at one of its steps.
 bool isWholeRow(const Progression& p, double printed, double baseline_px) {
   constexpr int fewest = 4;
   constexpr double even_px = 0.75, onLine_px = 2;
@@ -213,8 +213,8 @@ bool isWholeRow(const Progression& p, double printed, double baseline_px) {
          std::abs(p.position(step) - baseline_px) <= onLine_px;
 }
 
-/// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
-/// `baseline_px`: where the axis begins.
+/// Confidence in an axis: 1 if all labels agree; less for labels that contradict or cannot be read, for few
+/// labels, and for a large residual. `baseline_px`: where the axis begins.
 double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double baseline_px,
               double length_px) {
   if (rangeGiven) return 1;
@@ -233,20 +233,20 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double b
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double residual_px = residualAtUsualSize_px(p.residual_px, length_px);
   const double printed = printedShare(*labels);
-  constexpr double ofRow = 0.85, ofSome = 0.6;  // shares of certainty
+  constexpr double ofRow = 0.85, ofSome = 0.6;  // factors of the confidence
   const double sharp = p.fromTicks                           ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0)
                        : isWholeRow(p, printed, baseline_px) ? ofRow
                                                              : ofSome;
-  // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
+  // One contradicting label that was read with certainty may be a misprint; two or more mean an uneven scale.
   constexpr double uneven = 0.4;
   const bool contradicted = contradicting >= 2 && 5 * contradicting >= p.labels;
-  // 0, 102 and 1017 count by threes: powers of ten, read as one number each, lie on a line by chance.
+  // 0, 102 and 1017 have a common step of 3: powers of ten, read as plain numbers, fit a line by chance.
   constexpr double leastPrinted = 0.1;
   const double even = contradicted || printed < leastPrinted ? uneven : 1;
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even * usualOf(*labels, read);
 }
 
-/// Returns true if what is written beside the frame names travel or force, though not their units.
+/// Returns true if the text beside the frame names displacement or force, though not their units.
 bool namesForceOrTravel(const std::vector<SeenText>& texts) {
   return std::ranges::any_of(texts, [](const SeenText& text) {
     return namesQuantity(text.utf8, Quantity::force, sourceOf(text)) ||
@@ -256,7 +256,8 @@ bool namesForceOrTravel(const std::vector<SeenText>& texts) {
 
 constexpr double confidenceOfOther = 0.2;  // of axes that measure something else
 
-/// One unit by default may be right; with none, the numbers could be of anything, unless words say of what.
+/// Confidence in the units: one assumed unit may be right. If both are assumed, the numbers may mean anything
+/// unless words name the quantities.
 double sureOfUnits(const AxisCalibration& found, const std::vector<SeenText>& texts) {
   if (!found.x.otherQuantity.empty() || !found.y.otherQuantity.empty()) return confidenceOfOther;
   if (found.x.unitFound && found.y.unitFound) return 1;
@@ -277,8 +278,8 @@ void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels, 
   reading.thousandsUnclear = !rangeGiven && labels->thousands == ThousandsSign::possible;
 }
 
-/// A label that was read with certainty and stands at another value's line: some datasheets print it so. The
-/// grid is followed.
+/// Remarks on labels that were read with certainty and stand at another value's line. Some datasheets are
+/// printed so; the grid counts.
 void remarkContradictions(const std::optional<AxisLabels>& labels, Axis axis, std::vector<Remark>& remarks) {
   if (!hasProgression(labels)) return;
   const Progression& p = *labels->progression;
@@ -294,12 +295,12 @@ void remarkContradictions(const std::optional<AxisLabels>& labels, Axis axis, st
   }
 }
 
-/// Printed extremes: settled on the ticks unless given.
+/// The value at an end of the axis: rounded to the tick there unless it was given.
 double endOf(double value, bool given, const std::optional<AxisLabels>& labels) {
   return given || !hasProgression(labels) ? value : settled(value, *labels->progression);
 }
 
-/// Boxes of the labels that make the scale.
+/// Boxes of the labels that agree with the scale.
 std::vector<Box> agreedBoxes(const AxisLabels& labels) {
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < labels.words.size(); ++i)
@@ -366,10 +367,10 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   return newton ? ForceUnit::newton : ForceUnit::gramForce;
 }
 
-/// Returns true if one scale is the other in another unit of force: zero at the same position, a known factor
-/// between them.
+/// Returns true if one scale is the other in another unit of force: both have zero at the same position, and
+/// their factor is a known one.
 bool sameForces(const Progression& a, const Progression& b, double frameHeight_px) {
-  constexpr double sameFactor = 0.015, samePlace = 0.02;  // relative; of the frame's height
+  constexpr double sameFactor = 0.015, samePlace = 0.02;  // relative difference; of the frame's height
   constexpr std::array units{ForceUnit::newton,       ForceUnit::centinewton, ForceUnit::gramForce,
                              ForceUnit::ounceForce,   ForceUnit::poundForce,  ForceUnit::millinewton,
                              ForceUnit::kilogramForce};
@@ -384,7 +385,7 @@ bool sameForces(const Progression& a, const Progression& b, double frameHeight_p
 
 RightScale rightScaleBeside(GraphReading& r, const std::optional<AxisLabels>& left) {
   if (!hasProgression(left) || left->extent.x0 > r.box.x1) return RightScale::none;
-  // Where two scales share a frame, gridlines and ticks are the left one's.
+  // If two scales share a frame, gridlines and ticks belong to the left one.
   const auto right = readRightLabels(r, {});
   if (!right || !reachesFar(*right, r.box)) return RightScale::none;
   if (right->progression && sameForces(*left->progression, *right->progression, r.box.height()))
@@ -404,7 +405,7 @@ std::vector<SeenText> allTexts(const GraphReading& r, const std::optional<AxisLa
   return texts;
 }
 
-/// The used labels of an axis in another view; the frame's edge if there are none.
+/// The used labels of an axis, mapped to another view; the frame's edge if there are none.
 Box labelsIn(const AxisReading& axis, const Homography& toView, const Box& edge, GraphReading& r) {
   std::vector<Box> boxes;
   for (const TickLabel& tick : axis.ticks)
@@ -419,12 +420,12 @@ void forget(std::vector<Remark>& remarks, std::initializer_list<RemarkCode> code
   });
 }
 
-/// One coordinate of the map, times a factor.
+/// Multiplies one coordinate of the map by a factor.
 void scaleRow(Homography& map, std::size_t row, double factor) {
   for (std::size_t k = 3 * row; k < 3 * row + 3; ++k) map.m[k] *= factor;
 }
 
-/// A unit found takes the stated default's place, in the scale as well.
+/// Replaces the assumed unit by the found one and converts the scale.
 void takeUnit(AxesFound& axes, LengthUnit unit) {
   AxisCalibration& cal = axes.calibration.value;
   scaleRow(cal.viewToUnits, 0, millimetresPer(unit) / millimetresPer(*lengthUnitFrom(cal.x.unit)));
@@ -447,8 +448,8 @@ void takeTitle(AxisReading& axis, const AxisTitle<Unit>& title) {
   axis.otherQuantity.clear();
 }
 
-/// Returns true if an axis' own title or numbers give its unit, read or not: then no heading applies to it.
-/// The heading itself may have been taken for its title.
+/// Returns true if the axis' own title or numbers contain its unit, even an unreadable one; a heading's unit
+/// does not apply then. `heading`: it may itself have been taken for the title.
 bool saysItsUnit(const AxisReading& axis, const std::string& heading) {
   const auto unit = axis.title.find_first_of("([/,%");
   const auto isBare = [](const TickLabel& tick) {
@@ -458,8 +459,8 @@ bool saysItsUnit(const AxisReading& axis, const std::string& heading) {
          (unit != std::string::npos && !heading.starts_with(axis.title.substr(0, unit)));
 }
 
-/// The units of a heading over the plot for axes that name none, unless either axis contradicts. Said as a
-/// doubt.
+/// Takes the units of a heading above the plot for axes without a unit, unless an axis contradicts them. The
+/// import reports this as a doubt.
 void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
   constexpr std::size_t fewLines = 4;
   AxisCalibration& cal = axes.calibration.value;
@@ -483,21 +484,21 @@ void takeHeadingUnits(AxesFound& axes, GraphReading& r) {
   }
 }
 
-/// Range of an axis of a button, mm or N.
+/// Largest value of an axis of a button, mm or N.
 struct AxisReach {
   double least = 0, most = 0;
 };
-constexpr double axisBeyondCurve = 2;  // axes end at most so many times as far as their curves
+constexpr double axisBeyondCurve = 2;  // axes are at most this many times as long as their curves
 constexpr AxisReach travels_mm{leastTravel_mm, axisBeyondCurve*mostTravel_mm},
     forces_N{leastForce_N, axisBeyondCurve*mostForce_N};
 
-/// Multiplies the tick labels.
+/// Multiplies the values of the tick labels.
 void multiply(AxisReading& axis, double factor) {
   axis.min *= factor, axis.max *= factor;
   for (TickLabel& tick : axis.ticks) tick.value *= factor;
 }
 
-/// Box of an axis' labels, or its place on the frame without any.
+/// Box of an axis' labels; without labels its edge of the frame.
 Box extentOf(const std::optional<AxisLabels>& labels, const Box& edge) {
   return labels && !labels->words.empty() ? labels->extent : edge;
 }
@@ -515,8 +516,8 @@ void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional
   if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, 1, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
 }
 
-/// Factor for the tick labels if "1,000" may be a thousand or have three decimals and only one of them gives
-/// a button's size: 1 or 1000. If both or none do it stays unclear.
+/// Factor for the tick labels where "1,000" may mean a thousand or three decimals: 1 or 1000 if only one of
+/// them gives the size of a button. Otherwise it stays unclear.
 double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach) {
   if (!axis.thousandsUnclear || !axis.unitFound) return 1;
   const double asDecimals = std::max(std::abs(axis.min), std::abs(axis.max)) * perUnit,
@@ -529,7 +530,7 @@ double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach
   return 1000;
 }
 
-/// Returns true if both ends have one value, up to the rounding of a label: a given end beside a found one.
+/// Returns true if both ends have the same value, up to rounding: a given end beside a found one.
 bool isEmptyRange(const EndValues& ends) {
   constexpr double rounding = 1e-3;  // of the larger end
   return std::abs(ends.last - ends.first) <= rounding * std::max(std::abs(ends.first), std::abs(ends.last));
@@ -569,14 +570,14 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
                            const Progress& progress) {
   const AxisGiven xGiven{hints.xMin, hints.xMax}, yGiven{hints.yMin, hints.yMax};
   GraphReading r(view, frame);
-  // Read where a range was given as well: numbers say where the frame ends and what kind of scale it is.
+  // Labels are read even if a range was given: they show where the frame ends and what kind of scale it is.
   const auto xLabels = credibleLabels(r, Axis::x);
   if (!xGiven.range() && !hasProgression(xLabels)) return unread(xLabels, Axis::x, frame.xLines);
   const auto yLabels = credibleLabels(r, Axis::y);
   if (!yGiven.range() && !hasProgression(yLabels)) return unread(yLabels, Axis::y, frame.yLines);
   if (progress.isCancelled()) return Failure::cancelled();
 
-  // Values belong to where edges are meant to be, not to the pixels they were rounded to.
+  // Values belong to the intended position of an edge, not to the pixel it was rounded to.
   auto corners = frame.corners;
   for (auto& c : corners) c = {c.x - frame.drawnOffset_px.x, c.y - frame.drawnOffset_px.y};
   const EndValues x = valuesAtEnds(xLabels, corners[3].x, corners[2].x, xGiven.min, xGiven.max);
@@ -615,7 +616,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
     const bool isX = axis == Axis::x, given = (isX ? xGiven : yGiven).range();
     const std::optional<AxisLabels>& labels = isX ? xLabels : yLabels;
     AxisReading& reading = isX ? cal.x : cal.y;
-    // A range that was given settles no scale that is not linear.
+    // A given range does not make a nonlinear scale linear.
     const std::string scale = isLogarithmic(isX ? frame.xLines : frame.yLines) ? logarithmicScale
                               : given && labels                                ? unevenScaleIn(*labels, axis)
                                                                                : std::string();

@@ -20,12 +20,12 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t maxLines = 24;   // a plot with more writing is a page
-constexpr double minConfidence = 0.5;  // dashes and arrows read as text score less
+constexpr std::size_t maxLines = 24;   // a view with more text is a page, not a plot
+constexpr double minConfidence = 0.5;  // dashes and arrows that were read as text have less
 constexpr int minLetters = 3;
 
-/// Median darkness of the gridlines, without the frame's own edges; 0 without a grid. It separates letters
-/// from the gridlines that they cross.
+/// Median darkness of the gridlines, without the frame's own edges; 0 without a grid. Letters are separated
+/// from gridlines that cross them by it.
 int gridDarkness(const cv::Mat& d, const PlotFrame& frame) {
   const Box box = frame.box();
   std::vector<int> colours;
@@ -46,7 +46,7 @@ double overlapShare(const Box& a, const Box& b) {
 
 int pixelAt(double at_px) { return static_cast<int>(std::lround(at_px)); }
 
-/// Colour of a mark: that of its darkest pixel; {} outside the page.
+/// Colour of a mark's darkest pixel; {} outside the page.
 Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
   cv::Point darkest;
   const cv::Rect whole(0, 0, darkness.cols, darkness.rows);
@@ -68,16 +68,16 @@ double filledShare(const cv::Mat& marks, const Box& mark) {
   return at.empty() ? 0 : static_cast<double>(cv::countNonZero(marks(at))) / at.area();
 }
 
-/// The page as pixels, as darkness, and as dark marks.
+/// The page as pixels, as darkness, and as a mask of dark marks.
 struct Inked {
   const Raster& raster;
   const cv::Mat& darkness;
   const cv::Mat& darkMask;
 };
 
-/// Returns true if a mark beside a letter is a legend key: a dash too long for writing, or, in another
-/// colour than the letter, a shorter dash, a filled square or disc, a line with its marker. `usual_px`:
-/// height of the letters.
+/// Returns true if a mark beside a letter is a legend key: a dash too long for a letter or, in a colour other
+/// than the letter's, a shorter dash, a filled square or disc, or a line with its marker. `usual_px`: height
+/// of the letters.
 bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
   constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wideDash = 0.6,
                    highest = 3.2;         // of a letter's height
@@ -93,15 +93,14 @@ bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& 
   return dash || mark.width() > longDash * usual_px || filledShare(on.darkMask, mark) >= filled;
 }
 
-/// Entries of a legend that stand in one row, parted at the samples between them and without them; the
-/// samples.
+/// One row of a legend, divided at its keys: the entries without the keys, and the keys.
 struct LegendRow {
   std::vector<TextLine> entries;
   std::vector<Box> samples;
 };
 
 LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
-  constexpr double notFlat = 0.4;  // height of its width
+  constexpr double notFlat = 0.4;  // height relative to its width
   std::vector<double> heights;
   for (const auto& g : line.glyphs)
     if (g.height() > notFlat * g.width()) heights.push_back(g.height());
@@ -127,8 +126,8 @@ LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
   return row;
 }
 
-/// Returns true if a level line runs through the whole mark: a legend key with its marker, or a leader with
-/// its arrowhead. Letters that touch each other have no such line.
+/// Returns true if a horizontal line runs through the whole mark: a legend key with its marker, or a leader
+/// with its arrowhead. In letters that touch each other there is no such line.
 bool isLineLike(const Box& mark, const cv::Mat& marks) {
   constexpr double nearlyAll = 0.9;  // of its columns
   const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),
@@ -142,7 +141,7 @@ bool isLineLike(const Box& mark, const cv::Mat& marks) {
   return false;
 }
 
-/// The line without samples of a legend, leaders and arrowheads that stand beside its letters.
+/// The line of text without legend keys, leaders and arrowheads beside its letters.
 TextLine lettersOnly(const TextLine& line, const cv::Mat& marks) {
   std::vector<double> heights;
   for (const auto& g : line.glyphs)
@@ -161,7 +160,7 @@ TextLine lettersOnly(const TextLine& line, const cv::Mat& marks) {
   return kept;
 }
 
-/// Letters stand in a row: several, about equally high, none a dash.
+/// Returns true for a row of letters: several, about equally high, none of them a dash.
 bool isWordRow(const TextLine& line) {
   if (line.glyphs.size() < 3 || line.box.height() < 5 || line.box.width() < 1.2 * line.box.height())
     return false;
@@ -191,19 +190,19 @@ int letterCountOfText(const std::string& text) {
       text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
 }
 
-/// A name of letters and digits too short for a word, read with certainty: "TS-10", "1.6 N", beside a legend
-/// key also "A" and "2019".
+/// Returns true for a name of letters and digits that is too short for a word but was read with certainty:
+/// "TS-10", "1.6 N"; beside a legend key also "A" and "2019".
 bool isShortName(const SeenText& seen, bool besideSample) {
   constexpr double sure = 0.6;  // confidence
   const auto digits = std::count_if(seen.utf8.begin(), seen.utf8.end(),
                                     [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
   const int letters = letterCountOfText(seen.utf8);
   if (seen.confidence < sure) return false;
-  if (letters == 0) return besideSample && digits >= 2;  // a year, a size
+  if (letters == 0) return besideSample && digits >= 2;  // a year or a size
   return letters < minLetters && (besideSample || (digits > 0 && digits + letters >= 3));
 }
 
-/// A name without blanks, with every digit replaced by 0: "3.5 N" gives "0.0N".
+/// A name's pattern: without blanks, and with every digit replaced by 0. "3.5 N" gives "0.0N".
 std::string shapeOf(const std::string& name) {
   std::string shape;
   for (const char c : name)
@@ -211,8 +210,8 @@ std::string shapeOf(const std::string& name) {
   return shape;
 }
 
-/// Short names that were read with doubt count where others of the same make stand in line with them, as in a
-/// legend.
+/// Accepts short names that were read with doubt if names of the same pattern stand in line with them, as in
+/// a legend.
 void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubted) {
   for (const SeenText& name : doubted) {
     const auto own = std::ranges::find(lines, name.box, &SeenText::box);
@@ -224,12 +223,13 @@ void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubte
   }
 }
 
-/// Two panels of one button, the press in one and the release in the other: the plot's own heading is the
-/// word for the press, and in line with it, over a plot at the right, stands the word for the release. That
-/// is added to the texts.
+/// Two panels of one button, the press in one and the release in the other: this plot's heading is the word
+/// for the press, and in line with it, above a plot at the right, stands the word for the release. Adds that
+/// word to the texts.
 void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& marks, double largest_px,
                       TextReader& reader) {
-  constexpr double above = 0.6, beside = 1.6;  // of the plot's height, beyond its last number; of its width
+  // of the plot's height, beyond its last number; of the plot's width
+  constexpr double above = 0.6, beside = 1.6;
   const Box headings{frame.x0, frame.y0 - above * frame.height(), frame.x1 + beside * frame.width(),
                      frame.y0};
   const auto strokeAt = [&](const TextLine& line) {
@@ -251,7 +251,8 @@ void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& marks, d
   }
 }
 
-/// Callouts and titles inside first, then a legend beside, then what stands above and below.
+/// Order in which lines are read: callouts and titles inside the plot, then a legend beside it, then lines
+/// above and below.
 int importance(const Box& line, const Box& frame) {
   const Point middle = line.middle();
   if (frame.contains(middle)) return 0;
@@ -265,19 +266,20 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   const Box box = frame.box();
   const cv::Mat d = darknessOf(view.raster, frame.paper);
   const int grid = gridDarkness(d, frame);
-  // Writing darker than its grid stands out of it; where the grid is as dark, writing has a hole cut for it.
+  // Text darker than the grid is separated by its darkness. Where the grid is as dark, drawing programs leave
+  // it out behind text.
   const cv::Mat darkMarks = grid > 0 && grid < 150 ? marksAbove(d, grid + 30) : darkMaskOf(d);
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};
   const Inked on{view.raster, d, darkMarks};
   const std::vector<Box> marks = glyphsIn(glyphBoxes(darkMarks, 2, largest), around, largest);
-  constexpr std::size_t mostLetters = 2,
-                        mostOfAName = 5;  // of a name beside a sample that is shorter than writing; of any
+  // letters of a name beside a key that is shorter than a word; letters of any such name
+  constexpr std::size_t mostLetters = 2, mostOfAName = 5;
   std::vector<TextLine> lines;
   for (const auto& row : groupedLines(marks, 1.1)) {
     const LegendRow parted = partedAtSamples(row, on);
-    // A legend's row may have been read as one line, or with its sample, when titles were looked for.
+    // A legend row may have been read as one line, or together with its key, when titles were searched.
     std::erase_if(axes.texts, [&](const SeenText& seen) {
       const auto isIn = [&](const Box& sample) { return seen.box.contains(sample); };
       if (seen.confidence < 1 && std::ranges::any_of(parted.samples, isIn)) return true;

@@ -15,25 +15,26 @@
 #include "importer/axes/light_model.h"
 #include "importer/frame/darkness.h"
 
-/// libgomp's, on which Debian's Tesseract runs; <omp.h> is not there for every compiler.
+/// Function of libgomp, which Debian's Tesseract uses; <omp.h> is not available for every compiler.
 extern "C" void omp_set_max_active_levels(int levels);
 
 namespace detent::importer {
 namespace {
 
 constexpr double readHeight_px =
-    32;  // height of a text line the recogniser is trained on (Tesseract 5 LSTM: 36 with margins)
+    32;  // height of a text line for which the recogniser was trained (Tesseract 5 LSTM: 36 with margins)
 constexpr int margin_px = 10;
-constexpr double mostSure = 0.995;    // confidence; 1 is left to the document's own text
+// largest confidence of recognised text; 1 is reserved for the document's own text
+constexpr double mostSure = 0.995;
 constexpr double sureReading = 0.75;  // digits in good print score above 0.9
 
-/// How a crop is shown to the recogniser.
+/// Variants of presenting a crop to the recogniser.
 struct Rendering {
   double height_px = readHeight_px;
   bool thinned = false;  ///< strokes one pixel thinner on either side
 };
 
-/// Where Tesseract keeps its models: where its user says, else where distributions put them.
+/// Tesseract's model: from the folder that the user has set, else from the usual folders of distributions.
 std::optional<LightModel> installedModel() {
   std::vector<std::string> folders;
   if (const char* said = std::getenv("TESSDATA_PREFIX")) folders = {said, std::string(said) + "/tessdata"};
@@ -54,7 +55,7 @@ std::string lettersOf(TextKind kind) {
   switch (kind) {
     case TextKind::number:
       return "0123456789.,-";
-    case TextKind::unit:  // with the Latin letters that resemble Cyrillic ones
+    case TextKind::unit:  // includes the Latin letters that resemble Cyrillic ones
       return "mcMCNdkKgGfFoOzZlLbinhuesrpH()[]/,.";
     case TextKind::words:
       break;
@@ -73,7 +74,7 @@ class Engine {
     if (model_ && api_->Init(model_->bytes().data(), static_cast<int>(model_->bytes().size()), "eng",
                              tesseract::OEM_LSTM_ONLY, nullptr, 0, &keys, &values, false, nullptr) == 0)
       return;
-    model_.reset();  // a model of another layout: the slow start knows it
+    model_.reset();  // the model has another layout; the regular, slower start handles it
     if (api_->Init(nullptr, "eng", tesseract::OEM_LSTM_ONLY, nullptr, 0, &keys, &values, false) != 0)
       api_.reset();
   }
@@ -83,7 +84,7 @@ class Engine {
   SeenText line(const cv::Mat& grey, TextKind kind) {
     SeenText seen;
     if (!api_) return seen;
-    // Threads inside a single line cost more than they give (they spin), and take the other cores from a
+    // Threads within a single line cost more than they gain (they spin), and they take the other cores from a
     // batch.
     omp_set_max_active_levels(0);
     api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
@@ -126,7 +127,7 @@ cv::Mat crop(const Raster& raster, const Box& box, double angle_deg, const Rende
   double low = 0, high = 0;
   cv::minMaxLoc(grey, &low, &high);
   if (high - low < 24) return {};
-  // Paper is what most of the rim shows.
+  // The paper's colour is the one that most of the margin has.
   const double rim = 0.5 * (cv::mean(grey.row(0))[0] + cv::mean(grey.row(grey.rows - 1))[0]);
   const bool inverted = rim < 0.5 * (low + high);
   grey.convertTo(grey, CV_8U, (inverted ? -1 : 1) * 255.0 / (high - low),

@@ -26,11 +26,13 @@ class TextReader {
   /// Empty text with confidence 0 if there is nothing to read or no engine can be started.
   SeenText readLine(const Box& box, TextKind kind, double angle_deg = 0);
 
-  /// The same for a line that must not be misread: what is read with doubt is read again with thinner strokes
-  /// (bold print closes its digits) and at another size, and the surest reading counts.
+  /// The same for a line that must not be misread. A doubtful line is read again with thinner strokes (bold
+  /// print closes the holes of digits) and at another size; the reading with the highest confidence is
+  /// returned.
   SeenText readLineCarefully(const Box& box, TextKind kind, double angle_deg = 0);
 
-  /// Readings of a line of words at other sizes than readLine's: small print comes out differently at each.
+  /// Readings of a line of words at other sizes than readLine's, because small print is read differently at
+  /// each size.
   std::vector<SeenText> readLineOtherwise(const Box& box, double angle_deg = 0);
 
   /// False if Tesseract or its language data are missing; then everything reads as empty.

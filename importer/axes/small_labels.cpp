@@ -23,13 +23,13 @@ struct Row {
   const std::vector<Box>& words;
 };
 
-/// Labels held against numbers of one hand; each comparison is made once.
+/// Compares labels with numbers drawn in one style; each comparison is made once.
 class Comparison {
  public:
   Comparison(const Row& row, const Hand& hand)
       : row_(row), hand_(hand), drawn_(hand), seen_(row.words.size()) {}
 
-  /// Returns true if every word is about as wide as its text would be.
+  /// Returns true if every word is about as wide as its text would be in this style.
   bool fits(const std::vector<std::string>& texts) const {
     for (std::size_t i = 0; i < texts.size(); ++i)
       if (!fits(row_.words[i].width(), texts[i])) return false;
@@ -43,10 +43,11 @@ class Comparison {
   }
 
  private:
-  /// Drawn pixels end short of the advance, by more at a one; smoothing makes them wider.
+  /// Drawn pixels end before the advance does, by more for a one; antialiasing makes them wider.
   bool fits(double width_px, const std::string& text) const {
     constexpr double bearing = 0.15, besideOne = 0.35, halo_px = 1.5,
-                     hands_share = 0.07;  // both of a digit's advance: white beside it, and more beside a 1
+                     // shares of a digit's advance: space beside any digit, and additional space beside a 1
+        hands_share = 0.07;
     const double wide_px = advancesOf(text) * hand_.advance_px;
     const double ones = (text.front() == '1') + (text.back() == '1');
     const double least = wide_px * (1 - hands_share) - (bearing + besideOne * ones) * hand_.advance_px - 1;
@@ -60,23 +61,23 @@ class Comparison {
   std::vector<std::map<std::string, double>> seen_;
 };
 
-/// A scale, and how well the labels stand to it in the hand that suits it best.
+/// A scale and its agreement with the labels, in the style that fits best.
 struct JudgedLabel {
   const LabelScale* scale = nullptr;
   double score = -std::numeric_limits<double>::max();  ///< nats
-  double likeness = -1;                                ///< of the least alike label
+  double likeness = -1;                                ///< of the label with the lowest one
 };
 
-/// Nats of a label's pixels, noise and the difference of typefaces not known beforehand; what scaling and
-/// blur join is counted once.
+/// Evidence of a label's pixels in nats, allowing for noise and an unknown typeface. Pixels that scaling and
+/// blur have correlated count once.
 double natsOf(double likeness, const Box& word) {
-  constexpr double independent = 0.25, most = 0.99;  // of the pixels; highest correlation that is believed
+  constexpr double independent = 0.25, most = 0.99;  // of the pixels; highest correlation that counts
   const double pixels = independent * (word.width() + 2) * (word.height() + 2);
   const double r = std::clamp(likeness, 0.0, most);
   return -0.5 * pixels * std::log(1 - r * r);
 }
 
-/// Hands of these fonts, lower than the boxes by so much, of all common widths.
+/// Styles in these fonts of all usual widths, with a digit height a little below that of the boxes.
 std::vector<Hand> labelFonts(double box_px, std::initializer_list<int> fonts,
                              std::initializer_list<double> lower_px) {
   std::vector<Hand> hands;
@@ -104,7 +105,7 @@ void judge(std::vector<JudgedLabel>& scales, const Row& row, const std::vector<H
   }
 }
 
-/// The likeliest few, likeliest first.
+/// Keeps the most likely scales, sorted by likelihood.
 void keepBest(std::vector<JudgedLabel>& scales, std::size_t few) {
   std::erase_if(scales, [](const JudgedLabel& j) { return j.likeness < 0; });
   std::sort(scales.begin(), scales.end(),

@@ -16,7 +16,7 @@ namespace {
 
 struct Unit {
   const char* ascii;
-  double rare = 0;  ///< likeness it has to be ahead by, as hardly anybody draws plots in it
+  double rare = 0;  ///< additional likeness that a unit needs if plots rarely use it
 };
 
 constexpr std::array units{Unit{"mm"},       Unit{"cm"},  Unit{"in"}, Unit{"inch"}, Unit{"mil"}, Unit{"um"},
@@ -25,10 +25,10 @@ constexpr std::array units{Unit{"mm"},       Unit{"cm"},  Unit{"in"}, Unit{"inch
                            Unit{"lb"},       Unit{"lbf"}, Unit{"s"},  Unit{"ms"},   Unit{"min"}, Unit{"V"},
                            Unit{"mV"},       Unit{"A"},   Unit{"mA"}};
 
-/// Of the unit in brackets of either kind, in the hand that suits it best.
+/// Likeness of the unit in either kind of brackets, in the style that fits best.
 double unitLikeness(const Unit& unit, const cv::Mat& patch, double height, std::vector<DrawnText>& hands) {
   constexpr double blank =
-      0.75;  // of a line's height, between the bracket and what ends the line: dust, a full stop
+      0.75;  // of a line's height, between the bracket and the end of the line: dust or a full stop
   double best = -1;
   for (DrawnText& hand : hands)
     for (const auto& [open, shut] : {std::pair('(', ')'), std::pair('[', ']')})
@@ -54,10 +54,11 @@ struct JudgedUnit {
   double likeness = -1;
 };
 
-/// The units that two common hands leave in the running; none where nothing like a unit in brackets stands
-/// there.
+/// The units that remain possible after a comparison in two common styles; empty if nothing resembles a unit
+/// in brackets.
 std::vector<JudgedUnit> likelyUnits(const cv::Mat& patch, double height) {
-  constexpr double leastLike = 0.4, behind = 0.2;  // correlations: of a unit at all, and below the best
+  // correlations: least for a unit at all, and most below the best
+  constexpr double leastLike = 0.4, behind = 0.2;
   std::vector<DrawnText> common = unitFonts(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.71, 0.83}, {0.82});
   std::vector<JudgedUnit> likely;
   double best = leastLike;

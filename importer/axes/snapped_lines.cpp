@@ -9,7 +9,7 @@ namespace detent::importer {
 namespace {
 
 constexpr double sameFraction_px =
-    0.06;  // of a centroid: lines on whole pixels have neighbours that pull a little
+    0.06;  // of a centroid: neighbouring marks displace lines on whole pixels a little
 constexpr double half_px = 0.5 + 0.03;
 
 struct Vertex {
@@ -42,7 +42,7 @@ std::vector<Vertex> cut(const std::vector<Vertex>& polygon, double a, double b, 
 
 std::optional<Vertex> centroid(const std::vector<Vertex>& polygon) {
   double area = 0, at = 0, pitch = 0;
-  // Relative to one corner: the polygon is tiny against its coordinates.
+  // Computed relative to one corner, because the polygon is tiny compared with its coordinates.
   const Vertex o = polygon.front();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const double ax = polygon[i].at - o.at, ay = polygon[i].pitch - o.pitch;
@@ -68,7 +68,7 @@ std::optional<ValueLine> throughRoundedLines(const std::vector<std::pair<double,
   if (!(high > low)) return std::nullopt;
   const auto [first, last] = std::minmax_element(
       lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  // Values run over -1..1, so both coordinates of the polygon are in pixels.
+  // Values are scaled to -1..1, so that both coordinates of the polygon are in pixels.
   const double middle = 0.5 * (low + high), span = 0.5 * (high - low);
   const double at = 0.5 * (first->first + last->first), pitch = 0.5 * (last->first - first->first);
   std::vector<Vertex> polygon{

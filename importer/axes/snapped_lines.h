@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines that a plotting program rounded to whole pixels: what the unrounded, evenly spaced ones must have
-// been.
+// Reconstructs evenly spaced lines that a plotting program has rounded to whole pixels.
 
 #include <optional>
 #include <utility>
@@ -14,10 +13,11 @@ struct ValueLine {
   double offset = 0, perPx = 0;
 };
 
-/// Positions (px) with values. If all positions share one fraction of a pixel, each true place lies within
-/// half a pixel of them; the middle of all relations that obey this is far closer than least squares, for
-/// rounding is no noise: its errors are bounded, so they fall with the number of lines, not with its root.
-/// nullopt if the positions are not rounded or no relation obeys.
+/// `positions` (px) with values. If all positions have the same fraction of a pixel, they were rounded, and
+/// each true position lies within half a pixel. Returns the centre of all linear relations that satisfy these
+/// bounds. That is far more accurate than least squares: rounding errors are bounded, so the error falls with
+/// the number of lines, not with its square root. nullopt if the positions were not rounded or no relation
+/// satisfies the bounds.
 std::optional<ValueLine> throughRoundedLines(const std::vector<std::pair<double, double>>& positionValue);
 
 }  // namespace detent::importer

@@ -17,10 +17,11 @@ struct TextLine {
   std::vector<Box> glyphs;
 };
 
-/// Glyphs side by side, up to `gapInHeights` apart, as lines; everything kept, even single marks.
+/// Glyphs side by side, up to `gapInHeights` of their height apart, joined to lines. Single marks are kept.
 std::vector<TextLine> groupedLines(std::vector<Box> glyphs, double gapInHeights);
 
-/// Lines of text: words up to `gapInHeights` apart joined; dust and single marks left out.
+/// Lines of text: words up to `gapInHeights` of their height apart, joined. Dust and single marks are left
+/// out.
 std::vector<Box> textLines(const std::vector<Box>& glyphs, double gapInHeights);
 
 }  // namespace detent::importer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Source of a text: its letters may be misread.
+// States whether a text's letters are certain or may be misread.
 
 #include "importer/axes/axis_calibration.h"
 #include "importer/lexicon/lexicon.h"

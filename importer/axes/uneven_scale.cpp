@@ -26,14 +26,14 @@ double offLine(const std::vector<std::pair<double, double>>& points) {
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   constexpr std::size_t fewest = 4;  // labels
   constexpr double isLinear = 0.06, fits = 0.03,
-                   leastRatio = 5;  // shares of the span; of the largest value to the least
+                   leastRatio = 5;  // shares of the span; ratio of the largest to the smallest value
   std::ranges::sort(labels);
   if (labels.size() < fewest || labels.front().first == labels.back().first) return {};
   const bool rises = labels.back().second > labels.front().second;
   for (std::size_t i = 1; i < labels.size(); ++i)
     if (labels[i].first == labels[i - 1].first || labels[i].second == labels[i - 1].second ||
         (labels[i].second > labels[i - 1].second) != rises)
-      return {};  // misread
+      return {};  // a value was misread
   if (offLine(labels) <= isLinear) return {};
   const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
   if (low > 0 && high >= leastRatio * low) {
@@ -47,8 +47,9 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
 }
 
 bool isLogarithmic(const std::vector<GridLine>& lines) {
-  constexpr double near = 0.012, near_px = 1;   // of a decade: linear ninths are 0.07 off
-  constexpr std::size_t between = 8, lost = 1;  // lines within a decade; of them, left out
+  constexpr double near = 0.012, near_px = 1;  // of a decade: linear ninths deviate by 0.07
+  // lines between two powers of ten; number of them that may be missing
+  constexpr std::size_t between = 8, lost = 1;
   std::vector<double> at;
   for (const GridLine& line : lines) at.push_back(line.position_px);
   std::ranges::sort(at);

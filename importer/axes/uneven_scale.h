@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Scales that are not linear, named so that a refusal says what was seen.
+// Detects scales that are not linear, so that the refusal names the kind of scale.
 
 #include <string>
 #include <utility>
@@ -19,7 +19,7 @@ inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
 /// Returns true if gridlines or ticks stand as the logarithms of 1, 2, 3 to 10 do.
 bool isLogarithmic(const std::vector<GridLine>& lines);
 
-/// The same of an axis' labels that were read with certainty.
+/// The same for the labels of an axis that were read with certainty.
 std::string unevenScaleIn(const AxisLabels& labels, Axis axis);
 
 }  // namespace detent::importer

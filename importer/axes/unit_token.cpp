@@ -14,12 +14,12 @@
 namespace detent::importer {
 namespace {
 
-/// The symbol of a unit that plots are drawn in, as read or as what it is a misreading of; empty if it is
-/// none. `apart`: a mark announces a unit. A misreading that counts only beside its quantity's word then stays
-/// as it was read: "H" may be newton (Н) or henry, which the whole title decides.
+/// The symbol of a unit of plots, for a correct reading or a usual misreading; empty if there is none.
+/// `apart`: a mark separates the unit. A misreading that needs the quantity's name as confirmation is
+/// returned as it was read: "H" may be newton (Н) or henry, which the whole title decides.
 std::string_view symbolIn(std::string_view core, bool apart) {
   constexpr double surelyMisread = 0.5;             // cost of a reading
-  constexpr std::array others{"n", "p", "m", "P"};  // units by the book that no plot names so
+  constexpr std::array others{"n", "p", "m", "P"};  // official units that no plot uses
   if (std::ranges::find(others, core) != others.end()) return {};
   if (const auto reading = unitReadAs(core, TextSource::recognised, false))
     return !reading->needsQuantity                  ? reading->printed
@@ -36,7 +36,7 @@ std::string_view symbolIn(std::string_view core, bool apart) {
 bool isBracket(char c) { return c == '(' || c == ')' || c == '[' || c == ']'; }
 bool isMark(char c) { return isBracket(c) || c == '/' || c == ',' || c == '.' || c == ' '; }
 
-/// Blobs above each other (a dot and its i, the parts of a syllable) are one letter.
+/// Joins blobs above one another (an i and its dot, the parts of a syllable) to one letter.
 std::vector<Box> joinedAlong(std::vector<Box> blobs) {
   std::sort(blobs.begin(), blobs.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
   std::vector<Box> letters;
@@ -50,8 +50,8 @@ std::vector<Box> joinedAlong(std::vector<Box> blobs) {
   return letters;
 }
 
-/// Where the unit may begin, likeliest first: at the last word, at a bracket within it, behind the last
-/// letter as wide as it is high, and a word earlier, where a stroke or a bracket stands alone.
+/// Indices where the unit may begin, the likeliest first: at the last word, at a bracket within it, behind
+/// the last letter as wide as high, and a word earlier if a stroke or a bracket stands alone.
 std::vector<std::size_t> starts(const std::vector<Box>& letters, double height) {
   constexpr double blank = 0.22, stroke = 0.45, lone = 0.65, square = 0.75;  // of the line's height
   constexpr std::size_t longest = 9;  // letters of a unit with its brackets
@@ -89,22 +89,22 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
   for (const char c : text) {
     if (c == ' ') continue;
     if (!isMark(c)) {
-      if (closed) return {};  // "d/N": the end of one word and the unit behind it
+      if (closed) return {};  // "d/N": the end of a word with a unit behind it
       core += c;
       continue;
     }
     closed = !core.empty();
     opened = opened || c == '(' || c == '[';
-    if ((c == ')' || c == ']') && !opened) return {};  // more stands in the brackets: "[x10 gf]"
+    if ((c == ')' || c == ']') && !opened) return {};  // the brackets contain more than the unit: "[x10 gf]"
     ++marks;
     apart = apart || c != '.';
   }
-  // Letters of other scripts come back as brackets: "[H" is "Гн", henry.
+  // Letters of other scripts may be read as brackets: "[H" is "Гн", henry.
   const bool isTorn = opened && !closed && core.size() == 1;
   const std::string_view symbol = symbolIn(core, apart && !isTorn);
-  // A letter less than there are blobs was lost: the N of "cN".
+  // Fewer letters than blobs: one was lost, such as the N of "cN".
   if (symbol.empty() || blobs > core.size() + marks) return {};
-  // Words of their own, or too short to be more than a word's end.
+  // Without a separating mark, a short unit may be a word or the end of one.
   if (!apart && (core.size() < 2 || core == "of" || core == "in")) return {};
   return UnitToken{std::string(symbol), apart};
 }
@@ -125,12 +125,13 @@ std::string UnitToken::endOf(const std::string& line) const {
 
 namespace {
 
-/// Least confidence of a reading: three letters and more between two brackets are hardly ever misread as a
-/// unit.
+/// Least confidence of a reading. A reading of at least three letters between two brackets is hardly ever
+/// wrong.
 double leastSure(const std::string& text) {
   constexpr double sure = 0.7, sureInBrackets = 0.5;  // of the engine's
   constexpr std::ptrdiff_t fewest = 5;                // signs
-  const auto isNew = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };  // of UTF-8
+  // start of a UTF-8 character
+  const auto isNew = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
   const bool whole = std::ranges::count_if(text, isNew) >= fewest &&
                      (text.front() == '(' || text.front() == '[') &&
                      (text.back() == ')' || text.back() == ']');
@@ -168,7 +169,7 @@ std::optional<UnitToken> unitAtEnd(TextReader& reader, std::vector<Box> blobs, i
   double height = 0;
   for (const Box& b : letters) height = std::max(height, b.height());
   if (auto unit = unitTokenIn(reader, letters, height, quarterTurns, angle_deg)) return unit;
-  // An arrow may stand behind the title.
+  // An arrow may follow the title.
   const Box& last = letters.back();
   if (letters.size() < 2 || last.width() < 1.1 * last.height() || last.height() > 0.7 * height) return {};
   letters.pop_back();

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A running child and the end of the pipe on which its report lines arrive.
+/// A running child process and the pipe on which its report lines arrive.
 struct Child {
   std::size_t inputIndex = 0;
   pid_t pid = -1;
@@ -38,13 +38,13 @@ void writeAll(int descriptor, const std::string& text) {
   while (written < text.size()) {
     const ssize_t n = write(descriptor, text.data() + written, text.size() - written);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return;  // the parent is gone; nobody is left to tell
+    if (n <= 0) return;  // the parent has ended, so nobody reads the report
     written += static_cast<std::size_t>(n);
   }
 }
 
-// AddressSanitizer reserves terabytes of address space: any limit would refuse the child its first
-// allocation.
+// AddressSanitizer reserves terabytes of address space, so with any limit the child's first allocation would
+// fail.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool addressSpaceIsUsed = false;
 #elif defined(__has_feature)
@@ -74,7 +74,7 @@ std::optional<Child> startChild(std::size_t index, const std::string& input, con
   }
   if (pid == 0) {
     close(ends[0]);
-    std::signal(SIGINT, SIG_IGN);  // the parent decides what an interrupt ends
+    std::signal(SIGINT, SIG_IGN);  // an interrupt is handled by the parent
     for (const int fault : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(fault, SIG_DFL);
     limitMemory(options.memoryLimit_MB);
     std::string lines;
@@ -90,7 +90,7 @@ std::optional<Child> startChild(std::size_t index, const std::string& input, con
   return Child{index, pid, ends[0], Clock::now() + limit, {}, false};
 }
 
-/// Reads what has arrived; true while the pipe is open.
+/// Reads what has arrived; returns true while the pipe is open.
 bool drain(Child& child) {
   char buffer[65536];
   const ssize_t n = read(child.pipe, buffer, sizeof buffer);
@@ -120,7 +120,7 @@ InputOutcome reap(Child& child, const std::string& input, const BatchOptions& op
   } else {
     outcome.exitCode = WEXITSTATUS(status);
   }
-  if (!outcome.death.empty()) outcome.reportLines.clear();  // half a report is none
+  if (!outcome.death.empty()) outcome.reportLines.clear();  // an incomplete report is dropped
   return outcome;
 }
 
@@ -134,9 +134,9 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
                          const std::function<bool()>& cancelled) {
   const auto jobs = static_cast<std::size_t>(options.jobs > 0 ? options.jobs : defaultJobs());
   std::vector<Child> running;
-  std::map<std::size_t, InputOutcome> waiting;  // done, but an earlier input is not
+  std::map<std::size_t, InputOutcome> waiting;  // finished inputs that wait for an earlier one
   std::size_t next = 0, reported = 0;
-  std::vector<std::size_t> again;  // killed from outside once
+  std::vector<std::size_t> again;  // killed from outside once; these are started again
   std::set<std::size_t> repeated;
   const auto stopAll = [&] {
     for (Child& child : running) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Many inputs, each in a process of its own: a crash or a hang on one costs that one only. POSIX.
+// Imports many inputs, each in its own process, so that a crash or a hang affects one input only. POSIX.
 
 #include <functional>
 #include <string>
@@ -23,13 +23,13 @@ struct InputOutcome {
   int exitCode = 0;
   std::string reportLines;  ///< JSON lines, each ending in '\n'; empty if the child died
   std::string death;        ///< "crashed (signal 11)", "hung for more than 120 s"; else empty
-  bool killed = false;      ///< by somebody else: a person, a machine out of memory
+  bool killed = false;      ///< killed from outside: by a person, or because the machine ran out of memory
 };
 
-/// Runs `handle(input)` in a child for every input; it prints JSON lines to the file descriptor it is given
-/// as a stream of text and returns the exit code. A child that is killed from outside is started once more.
-/// `finished` is called in the order of the inputs, whatever `jobs` is, on the calling thread; `cancelled` is
-/// called several times a second. Call from a process without other threads.
+/// Runs `handle(input)` in a child process for every input. It writes JSON lines to the given file descriptor
+/// and returns the exit code. A child that was killed from outside is started once more. `finished` is called
+/// in the order of the inputs, whatever `jobs` is, on the calling thread; `cancelled` is called several times
+/// a second. Call from a process without other threads.
 Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOptions& options,
                          const std::function<int(const std::string& input, std::string& reportLines)>& handle,
                          const std::function<void(const InputOutcome&)>& finished,

@@ -12,7 +12,7 @@
 namespace detent::importer {
 namespace {
 
-/// A callout's text with the box of all its words.
+/// A callout's text and the box around all of its words.
 struct Phrase {
   CalloutKind kind;
   Box box;
@@ -21,7 +21,7 @@ struct Phrase {
 
 bool holds(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
 
-/// Reset first: "Rückschaltpunkt" holds "schaltpunkt".
+/// The reset point is tested first, because "Rückschaltpunkt" contains "schaltpunkt".
 std::optional<CalloutKind> kindOf(const std::string& text) {
   static constexpr std::array<std::string_view, 6> resetWords{"reset",       "rückschalt", "ruckschalt",
                                                               "rueckschalt", "复位",       "リセット"};
@@ -37,7 +37,7 @@ std::optional<CalloutKind> kindOf(const std::string& text) {
   return {};
 }
 
-/// Words of one line that stand a space apart belong together: the leader may start at any of them.
+/// Words of one line that are a space apart form one box, because the leader may start at any of them.
 Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
   Box line = word.box;
   for (bool grown = true; grown;) {
@@ -68,7 +68,7 @@ class MarkTest {
  public:
   MarkTest(const Raster& raster, const Box& frame) : raster_(raster), paper_(mostFrequent(raster, frame)) {}
 
-  /// A pixel of a mark within one pixel of the point.
+  /// Returns true if a marked pixel lies within one pixel of the point.
   bool near(Point p) const {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
     for (int dy = -1; dy <= 1; ++dy) {
@@ -106,17 +106,17 @@ class MarkTest {
   Rgb paper_;
 };
 
-constexpr double leastShare = 0.8;  // of a leader that is a thin stroke
+constexpr double leastShare = 0.8;  // share of a leader that must be a thin stroke
 
-/// Share of the straight line between two points that is a thin stroke: marked pixels on it, none beside it.
-/// 0..1; 0 as soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross
-/// blank paper.
+/// Share of the straight line between two points that is a thin stroke: marked pixels on it and none beside
+/// it. 0..1. Returns 0 as soon as `leastShare` cannot be reached any more, because nearly all lines from a
+/// word to a curve cross blank paper.
 double leaderShare(const MarkTest& marks, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
   constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;  // of the samples
   const double start =
-      std::min(arrowhead_px, length / 3);  // dots and arrowheads sit where the leader meets the curve
+      std::min(arrowhead_px, length / 3);  // dots and arrowheads stand where the leader meets the curve
   const int samples = static_cast<int>(std::floor(length - 1 - start)) + 1;
   int gaps = 0, thick = 0;
   for (int k = 0; k < samples; ++k) {
@@ -148,7 +148,7 @@ std::vector<Point> anchorsAround(const Box& box) {
   return anchors;
 }
 
-/// Gridlines and ticks are no leaders.
+/// Returns true for lines along an axis: gridlines and ticks are no leaders.
 bool axisParallel(Point a, Point b) {
   const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
   return std::min(dx, dy) < 0.06 * std::max(dx, dy);
@@ -165,8 +165,8 @@ std::optional<Callout> follow(const Phrase& phrase, const MarkTest& marks, const
       const double length = distance(anchor, target);
       if (length < 0.8 * height || length > 14 * height || axisParallel(anchor, target)) continue;
       const double share = leaderShare(marks, target, anchor);
-      const double score =
-          share + 0.002 * length / height;  // of equals the longest: the whole leader, not its end
+      // of equal shares the longest line wins: the whole leader, not its end
+      const double score = share + 0.002 * length / height;
       if (share < leastShare || score <= bestScore) continue;
       bestScore = score;
       best = Callout{phrase.kind, stroke.points[i], target, share, phrase.text};

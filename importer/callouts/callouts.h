@@ -24,12 +24,12 @@ struct Callout {
   std::string text;
 };
 
-/// Callouts whose leader was found; at most one of each kind (the surest). A text without a leader is left
-/// out, because its place does not show where it points.
+/// Callouts whose leader was found; at most one of each kind (the one with the highest confidence). A text
+/// without a leader is left out, because its position does not show which point it means.
 std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
                                   const StrokePair& strokes);
 
-/// Kinds that a text inside the plot names as a point or position, placed or not; each once.
+/// Kinds of points that a text inside the plot names, whether or not their place was found; each kind once.
 std::vector<CalloutKind> printedCallouts(const PlotFrame& frame, const AxesFound& axes);
 
 }  // namespace detent::importer

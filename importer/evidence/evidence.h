@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Interpretations compete: each candidate carries named evidence in one unit, the natural logarithm of a likelihood ratio.
-// The best few are kept; the margins to those that would give a different result are the confidence.
+// Interpretations compete: each candidate carries named evidence in one unit, the natural logarithm of a
+// likelihood ratio. The best few are kept; the margins to those that would give a different result are the
+// confidence.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,11 +18,11 @@ struct EvidenceTerm {
   double logLikelihood = 0;  ///< > 0 speaks for it
 };
 
-/// Sum of named evidence. Rules of thumb overlap, so each counts only in part; the share is calibrated on
-/// drawn tables (docs/measurements/import-confidence.md). Counted distributions count in full.
+/// Sum of named evidence. Rules of thumb overlap, so each counts only in part (kRuleWorth, calibrated on
+/// drawn tables: docs/measurements/import-confidence.md). Measured distributions count in full.
 class Evidence {
  public:
-  /// A rule of thumb: the log-likelihood that it would have alone.
+  /// Adds a rule of thumb with the log-likelihood that it would have alone.
   void add(std::string name, std::string about, double ruleOfThumb) {
     addCounted(std::move(name), std::move(about), kRuleWorth * ruleOfThumb);
   }
@@ -54,7 +55,7 @@ struct Choice {
   std::string text, option;
 };
 
-/// The difference between the remaining interpretations.
+/// The point in which the remaining interpretations differ, as a question to the user.
 struct Question {
   std::string what;
   std::vector<Choice> choices;
@@ -80,7 +81,8 @@ class BestFew {
   std::vector<Candidate> kept_;
 };
 
-/// Probability of an interpretation among its rivals, by the margins of its evidence over theirs; 1 without rivals.
+/// Probability of an interpretation among its rivals, by the margins of its evidence over theirs; 1 without
+/// rivals.
 double confidenceOfMargins(const std::vector<double>& margins);
 
 /// The table that --explain prints: a column per interpretation, a row per term.

@@ -382,7 +382,7 @@ std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaP
 bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const KnotEvidence& evidence,
                  const ChoiceSettings& settings) {
   settleJoints(chain);
-  // The first cut may be far off in places, where a robust loss would treat the points as outliers.
+  // The first segmentation may be far off in places; a robust loss would treat the points there as outliers.
   SolveSettings first = settings.solve;
   first.robustScale *= 10;
   bool converged = solveChain(chain, points, {0, chain.size()}, first);

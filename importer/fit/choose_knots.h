@@ -34,8 +34,9 @@ struct ChoiceSettings {
   SolveSettings solve;  ///< settings of the local solves around a changed knot
 };
 
-/// Removes knots and corners that do not pay for their parameters, and adds those that do. Each change is
-/// judged by a solve of the knots around it; then all knots are solved. Return value: as of solveChain.
+/// Removes knots and corners whose parameters cost more than they gain, and adds those that gain more than
+/// they cost. Each change is judged by a solve of the knots around it; then all knots are solved. Return
+/// value: as of solveChain.
 bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const KnotEvidence& evidence,
                  const ChoiceSettings& settings);
 

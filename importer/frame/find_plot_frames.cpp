@@ -56,8 +56,8 @@ Affine reducedBy(double factor) {
   return {s, 0, 0, s, shift, shift};
 }
 
-constexpr int maxSide_px =
-    2600;  // px; larger pictures are searched at half or quarter size, frames are located at full size
+// px; larger pictures are searched at half or quarter size, and frames are then located at full size
+constexpr int maxSide_px = 2600;
 
 Overview seen(const Page& page, const FrameSearch& search) {
   Overview o;
@@ -80,7 +80,7 @@ struct Orientation {
   int quarterTurns = 0;
   int below = 0, left = 0;  ///< regularly spaced labels on either axis
   double worth = 0;
-  bool asTurned = false;  ///< its labels are where those of a rotated page are: above or at the right
+  bool asTurned = false;  ///< labels above or at the right, where those of a rotated page are
 };
 
 std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alongX) {
@@ -170,8 +170,8 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& m
   }
   std::sort(ways.begin(), ways.end(),
             [](const Orientation& a, const Orientation& b) { return a.worth > b.worth; });
-  // A rotated orientation is decided by reading the labels, so the upright one stays a candidate; also beside
-  // an upright one whose labels are where those of a rotated page are.
+  // Reading the labels decides about a rotated orientation, so the upright one stays a candidate. The reverse
+  // holds for an upright one whose labels stand where those of a rotated page do.
   const auto isTurned = [](const Orientation& w) { return w.quarterTurns != 0; };
   const auto likeliest = std::ranges::find_if(ways, isTurned);
   if (likeliest == ways.end()) return ways;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int maxHalfEdge_px = 12;  // half of the thickest frame line
 constexpr int paperWindow_px = 61;
-constexpr int markContrast = 34;  // grey levels; light grids stay below, or are too long for letters
+constexpr int markContrast = 34;  // grey levels; light gridlines have less, or are too long for letters
 
 bool besides(const Box& left, const Box& right, double gapInHeights) {
   const double height = std::max(left.height(), right.height());
@@ -99,7 +99,7 @@ int commonLength(const std::vector<int>& lengths) {
 int longestTick(double frameHeight) { return std::max(4, static_cast<int>(0.1 * frameHeight)); }
 
 /// Erases ticks below the frame's edge, which is row 0. A run longer than the others ends in a label, which
-/// is kept. Nothing beyond `longest` + 1 rows is looked at.
+/// is kept. Rows beyond `longest` + 1 are not examined.
 void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int longest, int thickest) {
   if (d.cols < 4 || columns.empty()) return;
   const auto lengths = ticksBelow(d, columns, longest, thickest);

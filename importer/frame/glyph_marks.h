@@ -29,7 +29,7 @@ bool isComma(const Box& mark, const Box& word);
 bool isUnderscore(const Box& mark, const Box& word);
 
 /// Removes a letter of a vertical title from a label that stands too close to it. The letter is part of a
-/// column of letters that are closer than labels. `glyphs`: all of the page or the region.
+/// column of letters that lie closer together than labels do. `glyphs`: all of the page or the region.
 Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs);
 
 /// A copy without the inside of an upright frame and without its outer ticks, so that labels are separate.

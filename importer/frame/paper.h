@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Reference for darkness.
+// Reference for a pixel's darkness: one colour of paper for the picture, or the colour around each pixel.
 
 namespace detent::importer {
 

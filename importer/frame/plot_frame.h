@@ -80,7 +80,7 @@ std::optional<Homography> photographedSheet(const Page& page);
 std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, const Page& page);
 
 /// The frame given by the user: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided
-/// by `given`. Failure wrongUsage: other counts, corners outside the page, no area.
+/// by `given`. Failure wrongUsage: another number of corners, corners outside the page, or no area.
 Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& corners, const Page& page);
 
 /// Sub-pixel frame, gridlines and ticks in the candidate's view.

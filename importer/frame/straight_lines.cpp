@@ -94,8 +94,8 @@ std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
   int rows = 0;
   for (const auto& run : runs) rows = std::max(rows, run.y + 1);
   std::vector<Chain> chains;
-  std::vector<int> lastInRow(static_cast<std::size_t>(rows),
-                             -1);  // chain that last ended in this row
+  // index of the chain whose last run ends in each row; -1: none
+  std::vector<int> lastInRow(static_cast<std::size_t>(rows), -1);
   for (const auto& run : runs) {
     int best = -1;
     for (int dy : {0, -1, 1}) {

@@ -28,8 +28,8 @@ Database::Database(const std::string& path, bool toWrite) {
     throw fault;
   }
   sqlite3_busy_timeout(handle_, busyTimeout_ms);
-  // A file that is handed around runs nothing: no functions out of its schema, no writing to what SQLite
-  // keeps for itself.
+  // A file from somebody else must not execute anything: functions in its schema are disabled, and SQLite's
+  // internal tables cannot be written.
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
 }

@@ -49,8 +49,8 @@ class Statement {
   Statement& bind(int parameter, const std::optional<double>& value);
   Statement& bindText(int parameter, std::string_view text);
   Statement& bindBytes(int parameter, std::string_view bytes);
-  bool step();    ///< whether there is a row
-  void finish();  ///< steps to the end, and is ready for the next parameters
+  bool step();    ///< goes to the next row; false: there is none
+  void finish();  ///< steps to the last row, then accepts new parameters
 
   std::int64_t integer(int column) const;
   std::optional<double> real(int column) const;
@@ -63,8 +63,8 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
 };
 
-/// All or nothing: what is not committed is rolled back. Takes the right to write at once, so that it never
-/// has to give up halfway.
+/// A transaction: destruction before commit() rolls everything back. It takes SQLite's write lock at once, so
+/// that it cannot fail halfway because another process writes.
 class Transaction {
  public:
   explicit Transaction(Database& database);

@@ -10,19 +10,20 @@
 namespace detent::importer {
 namespace {
 
-/// Steeper slopes belong to bottom-outs and edges, where a hundredth of a millimetre decides.
+/// Limit of slopes. Steeper ones belong to bottom-outs and edges, where a hundredth of a millimetre decides.
 constexpr double steepest_gf_per_mm = 60;
 
-/// Cells of the wanted travel: 0.04 mm on a key switch, below which slopes are of the meters' noise.
+/// Number of cells of the wanted travel: 0.04 mm each on a key switch. Slopes over less are the meters'
+/// noise.
 constexpr int cells = 96;
-/// Largest shift between the contacts of two records, and step of the search for it, in cells: preload and
+/// Largest shift between the contacts of two records, and step of the search for it, in cells. Preload and
 /// first resistance differ between testers.
 constexpr int farthestShift = 8, shiftStride = 2;
-/// Left out at either end of the common travel, as a share of it: contact and bottom-out, where a hundredth
-/// of a millimetre decides.
+/// Share of the common travel that is left out at either end: contact and bottom-out, where a hundredth of a
+/// millimetre decides.
 constexpr double leftOutOfEnds = 0.05;
 
-/// Forces at 0, step, ... while the shape lasts, at most `most` of them, linear in between.
+/// Forces at 0, step, ... within the shape, at most `most` of them, interpolated linearly.
 std::vector<double> sampled_gf(const std::vector<float>& forces_N, double travel_mm, double step_mm,
                                int most) {
   const double gf_per_N = 1 / newtonsPer(ForceUnit::gramForce);
@@ -40,7 +41,7 @@ std::vector<double> sampled_gf(const std::vector<float>& forces_N, double travel
   return forces_gf;
 }
 
-/// Samples compared: `count` of them, from these places of the two.
+/// The samples that are compared: `count` of them, beginning at these indices of the two shapes.
 struct Overlap {
   int a = 0, b = 0, count = 0;
 };
@@ -87,7 +88,7 @@ double slopesApart_gf2_per_mm2(const std::vector<double>& a, const std::vector<d
 
 double squared(double value) { return value * value; }
 
-/// d^2 of one shift, of the terms that are known.
+/// d^2 at one shift, over the terms that are known.
 double sum_gf2(const FeelDifference& of, const FeelWeights& weights) {
   return of.press_gf2 + squared(weights.release) * of.release_gf2 +
          squared(weights.slope_mm) * of.slope_gf2_per_mm2 + squared(weights.level * of.level_gf) +
@@ -104,10 +105,10 @@ FeelDistance::FeelDistance(const FeltShape& wanted, const FeelWeights& weights)
 
 std::vector<FeelDifference> FeelDistance::differencesTo(const FeltShape& other, double atMost_gf) const {
   constexpr int most = cells + 1 + farthestShift;
-  // A switch at the same distance as the last one that counts is not left out by rounding.
+  // Rounding must not exclude a switch at the same distance as the last accepted one.
   const double most_gf2 = squared(atMost_gf) * (1 + 1e-9);
   const std::vector<double> press = sampled_gf(other.press_N, other.travel_mm, step_mm_, most);
-  // A record without its way up is compared by its way down alone, which has then to speak for both.
+  // A record without a release is compared by its press alone, which then counts for both strokes.
   const bool releases = !release_gf_.empty() && !other.release_N.empty();
   std::vector<double> release;
   std::vector<FeelDifference> all;

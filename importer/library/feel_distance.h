@@ -10,12 +10,13 @@
 
 namespace detent::importer {
 
-/// Median distance between the records of one switch in two laboratories, over the pairs of
-/// docs/measurements/bench-library.md. Below it nobody can say that two records are of different switches.
-/// `library_bench` prints it.
+/// Median distance between records of one switch from two laboratories, over the pairs of
+/// docs/measurements/bench-library.md. Two records that are closer may be of one switch. `library_bench`
+/// prints it.
 inline constexpr double labNoise_gf = 3.2;
 
-/// Two curves laid on one another with one place of contact, over the middle of the displacements both have.
+/// Two curves compared from a common point of contact on, over the middle of the displacements that both
+/// have.
 struct FeelDifference {
   double press_gf2 = 0, release_gf2 = 0;  ///< mean squares about the mean difference
   double slope_gf2_per_mm2 = 0;           ///< of the press, slopes held to +-60 gf/mm
@@ -25,8 +26,8 @@ struct FeelDifference {
 };
 
 /// d^2 = press^2 + (release)^2 + (slope)^2 + (level)^2 + (travel)^2 + (shift)^2, each times its weight, at
-/// the shift where d is least. By how much the release lies below the press does not count: laboratories
-/// differ by that as much as switches do.
+/// the shift where d is least. The mean distance of release and press does not count, because laboratories
+/// differ in it as much as switches do.
 struct FeelWeights {
   double release = 1;     ///< gf per gf
   double slope_mm = 0.1;  ///< gf per gf/mm
@@ -35,17 +36,16 @@ struct FeelWeights {
   double shift_gf_per_mm = 10;
 };
 
-/// One side of many comparisons: what does not depend on the other.
+/// Compares one switch with many: keeps what does not depend on the other switch.
 class FeelDistance {
  public:
   explicit FeelDistance(const FeltShape& wanted, const FeelWeights& weights = {});
-  /// >= 0, in units of lab noise; 0 to itself. What is farther than `atMost` is infinitely far where that is
-  /// found out early.
+  /// >= 0, in units of lab noise; 0 to itself. May return infinity for a shape that is farther than `atMost`.
   double to(const FeltShape& other, double atMost_labNoise = std::numeric_limits<double>::infinity()) const;
   /// Lower bound of the distance to any shape of this travel, in units of lab noise.
   double leastTo(double travel_mm) const;
-  /// One for every shift of the contact, within 8 % of the wanted travel, but for shifts of which some terms
-  /// alone are farther than `atMost_gf`.
+  /// One difference for each shift of the contact, within 8 % of the wanted travel. Shifts are left out if
+  /// some terms alone are farther than `atMost_gf`.
   std::vector<FeelDifference> differencesTo(const FeltShape& other,
                                             double atMost_gf = std::numeric_limits<double>::infinity()) const;
 
@@ -55,7 +55,7 @@ class FeelDistance {
   FeelWeights weights_;
 };
 
-/// Distance at the shift where it is least, in gf; of no shift infinite.
+/// Distance in gf at the shift where it is least; infinite without shifts.
 double distance_gf(const std::vector<FeelDifference>& byShift, const FeelWeights& weights);
 
 }  // namespace detent::importer

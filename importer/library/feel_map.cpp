@@ -16,14 +16,15 @@ constexpr std::size_t dimensions = 2 * positions + 1;
 constexpr std::size_t travelAt = dimensions - 1;
 using Vector = std::array<double, dimensions>;
 
-/// Press, release and travel so that the distance of two is in lab noises.
+/// Coordinates made of press, release and travel, scaled so that the distance of two switches is in lab
+/// noises.
 Vector featuresOf(const FeltShape& shape) {
   const double gf = newtonsPer(ForceUnit::gramForce);
   const double perPlace = 1 / (gf * std::sqrt(double(positions)) * labNoise_gf);
   const std::vector<float>& release = shape.release_N.empty() ? shape.press_N : shape.release_N;
   Vector features{};
   for (std::size_t i = 0; i < positions; ++i) {
-    // The middle 90 %, as the distance has it.
+    // The middle 90 % of the travel, as for the felt distance.
     const double share = 0.05 + 0.9 * (double(i) + 0.5) / double(positions);
     const auto at = static_cast<std::size_t>(share * double(FeltShape::samples - 1));
     features[i] = perPlace * double{shape.press_N[at]};
@@ -37,7 +38,7 @@ double product(const Vector& a, const Vector& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Scales to length 1; what has none stays.
+/// Scales a vector to length 1; a zero vector stays unchanged.
 double normalize(Vector& vector) {
   const double length = std::sqrt(product(vector, vector));
   if (length > 0)
@@ -94,7 +95,7 @@ double correlationOf(const std::vector<std::pair<double, double>>& pairs) {
   return across > 0 ? (xy - x * y / n) / std::sqrt(across) : 0;
 }
 
-/// Says which figure an axis goes with.
+/// Finds the key figure with the largest correlation to an axis.
 void nameAxis(FeelAxis& axis, std::size_t which, const FeelMap& map,
               const std::vector<LibrarySwitch>& switches) {
   for (const KeyFigureName& name : keyFigureNames()) {
@@ -102,7 +103,7 @@ void nameAxis(FeelAxis& axis, std::size_t which, const FeelMap& map,
     for (std::size_t i = 0; i < switches.size(); ++i)
       if (const auto& value = switches[i].figures[name.figure])
         pairs.emplace_back(map.positions[i][which], *value);
-    // A figure that few have would go with anything.
+    // A figure that few switches have would correlate with anything.
     if (2 * pairs.size() < switches.size() || pairs.size() < 3) continue;
     const double correlation = correlationOf(pairs);
     if (std::abs(correlation) > std::abs(axis.correlation))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Switches on a map: places whose distances are as near as two dimensions allow to how far the switches feel
-// apart.
+// Places switches on a map whose distances match the felt distances of the switches as closely as two
+// dimensions allow.
 
 #include <array>
 #include <optional>
@@ -11,11 +11,12 @@
 
 namespace detent::importer {
 
-/// One principal axis of what sets the switches apart.
+/// One principal axis of the differences between switches.
 struct FeelAxis {
-  double share = 0;                 ///< of the variance that lies along it, 0..1
-  std::optional<KeyFigure> likest;  ///< the figure that goes with it most, over the switches that have it
-  double correlation = 0;           ///< with that figure, -1..1
+  double share = 0;  ///< of the variance that lies along it, 0..1
+  /// the key figure with the largest correlation, over the switches that have it
+  std::optional<KeyFigure> likest;
+  double correlation = 0;  ///< with that figure, -1..1
 };
 
 struct FeelMap {
@@ -23,9 +24,9 @@ struct FeelMap {
   std::vector<std::array<double, 2>> positions;  ///< of each switch, in lab noises from the mean of all
 };
 
-/// Principal axes of press, release and travel, weighted as in FeelDistance but with one contact and without
-/// slopes. Forces grow along the first axis; the second is signed so that the travel grows along it. Same
-/// input, same map. Any thread.
+/// Principal axes of press, release and travel, weighted as in FeelDistance but with one common contact and
+/// without slopes. Forces grow along the first axis; the second is signed so that the travel grows along it.
+/// The same input gives the same map. Any thread.
 FeelMap feelMapOf(const std::vector<LibrarySwitch>& switches);
 
 }  // namespace detent::importer

@@ -9,13 +9,13 @@
 namespace detent::importer {
 namespace {
 
-/// Above what meters show in the air, below what a switch resists with at its top.
+/// Above the force that meters show in the air, and below the first resistance of a switch.
 constexpr double contact_gf = 5;
 
-/// Where the press first resists; the start of a curve that begins in contact.
+/// Displacement at which the press first resists; the start of a curve that begins in contact.
 double contactOf(const StrokeCurve& press, double bottom_mm) {
   const auto [least_N, most_N] = press.forceRange_N();
-  // Of a button that is softer than a key switch the same share of its force: 5 gf of 50.
+  // For a button softer than a key switch, the same share of its force: 5 gf of 50.
   const double bar_N = std::min(contact_gf * newtonsPer(ForceUnit::gramForce), 0.1 * std::max(most_N, 0.0));
   if (press.force_N(press.start_mm()) >= bar_N) return press.start_mm();
   const std::vector<double> at = press.displacementsAt(bar_N);

@@ -12,13 +12,14 @@
 namespace detent::importer {
 namespace {
 
-/// Rows in their order with a number each; the numbers of what keeps the order.
+/// A row with its distance, and its position in the order.
 struct Ranked {
   SwitchId id = 0;
   double by = 0;
 };
 
-/// The first `limit` of them by number, and what has the same number as the last of these.
+/// The `limit` rows with the smallest distance, and any further ones with the same distance as the last of
+/// them.
 std::vector<Ranked> nearestOf(std::vector<Ranked> all, std::size_t limit) {
   if (all.size() <= limit) return all;
   if (limit == 0) return {};
@@ -28,8 +29,8 @@ std::vector<Ranked> nearestOf(std::vector<Ranked> all, std::size_t limit) {
   return all;
 }
 
-/// The nearest `limit` > 0, whoever is as far as the last of them, and some that are farther. From the travel
-/// that is most alike on, so that most curves need not be read.
+/// The nearest `limit` > 0 switches, all that are as far as the last of these, and some that are farther.
+/// Starts from the most similar travel, so that most curves need not be read.
 Result<std::vector<Ranked>> rankedByFeel(const LibraryStore& store, const FeelDistance& distance,
                                          const std::vector<std::pair<SwitchId, double>>& travels_mm,
                                          std::size_t limit) {
@@ -39,7 +40,7 @@ Result<std::vector<Ranked>> rankedByFeel(const LibraryStore& store, const FeelDi
   std::vector<SwitchId> ids;
   for (const Ranked& each : atLeast) ids.push_back(each.id);
   std::vector<Ranked> ranked;
-  std::priority_queue<double> nearest;  // at most `limit`, the farthest on top
+  std::priority_queue<double> nearest;  // at most `limit` distances, the largest on top
   const auto atMost = [&] {
     return nearest.size() < limit ? std::numeric_limits<double>::infinity() : nearest.top();
   };
@@ -58,7 +59,7 @@ Result<std::vector<Ranked>> rankedByFeel(const LibraryStore& store, const FeelDi
   return ranked;
 }
 
-/// The rows themselves: by number, then by name.
+/// The rows of these ids: by distance, then by name.
 Result<std::vector<std::pair<LibrarySwitch, double>>> distanceRows(const LibraryStore& store,
                                                                    std::vector<Ranked> ranked,
                                                                    std::size_t limit) {
@@ -76,7 +77,8 @@ Result<std::vector<std::pair<LibrarySwitch, double>>> distanceRows(const Library
   return rows;
 }
 
-/// Switches of the requested name and kind, rising; empty: no such request, all of them.
+/// Ids of the switches with the requested name and kind, ascending; empty if none were requested, which means
+/// all.
 using Wanted = std::optional<std::vector<SwitchId>>;
 
 Result<Wanted> wantedIn(const LibraryStore& store, const FindRequest& request) {
@@ -115,8 +117,7 @@ Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindReq
   return nearest;
 }
 
-/// Switches that keep the ranges: nearest first if there is a reference, else by name. `fitting`: their
-/// number.
+/// Switches within the ranges: nearest first if there is a reference, else by name. `fitting`: their number.
 Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRequest& request,
                                          const Wanted& wanted, std::size_t& fitting) {
   std::vector<Ranked> ranked;

@@ -14,9 +14,9 @@ namespace detent::importer {
 
 struct FindRequest {
   std::string database;
-  std::optional<FeltShape> like;    ///< nearest first; without: by name
-  std::vector<FigureRange> ranges;  ///< all are kept
-  std::size_t limit = 10;           ///< of those that are given
+  std::optional<FeltShape> like;    ///< sort by distance to this shape, nearest first; without: by name
+  std::vector<FigureRange> ranges;  ///< the switch must satisfy all of them
+  std::size_t limit = 10;           ///< most switches that are returned
   std::string name = {};            ///< the switch's name contains this, in any case; empty: any
   std::optional<SwitchKind> kind = {};
 };
@@ -24,12 +24,12 @@ struct FindRequest {
 struct FoundSwitch {
   LibrarySwitch entry;
   std::optional<double> distance_labNoise;  ///< if `like` was given; below 1 the two may be one switch
-  SwitchSpread spread;               ///< of all records of this switch by its laboratory, this one among them
+  SwitchSpread spread;               ///< of all records of this switch by its laboratory, including this one
   std::vector<Rating> ratings = {};  ///< what people said of a switch of this name
 };
 
-/// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says
-/// little.
+/// Group of a distance. 1: nobody can feel a difference; 2: within two lab noises, and so on. The order
+/// within a group means little.
 inline std::size_t groupOf(double distance_labNoise) {
   return 1 + static_cast<std::size_t>(distance_labNoise);
 }
@@ -42,8 +42,8 @@ struct NearMiss {
 
 struct FoundSwitches {
   std::vector<FoundSwitch> found;
-  std::vector<NearMiss> nearest;  ///< where none keeps the ranges: those that miss them least
-  std::size_t fitting = 0;        ///< how many keep the ranges, shown or not
+  std::vector<NearMiss> nearest;  ///< if no switch satisfies the ranges: those that miss them least
+  std::size_t fitting = 0;  ///< number of switches that satisfy the ranges, including those not returned
 };
 
 /// Failures: those of LibraryStore::openToRead.

@@ -27,15 +27,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t mostBytes = 32 << 20;  // a switch measured at a micrometre's steps has 1 MB
-constexpr std::size_t batchFiles = 64;        // of a transaction: so many are lost if the program is killed
-constexpr std::int64_t settled_ns = 2'000'000'000;  // the coarsest clock of a file system in use
+constexpr std::int64_t mostBytes = 32 << 20;  // a switch measured in micrometre steps has 1 MB
+constexpr std::size_t batchFiles = 64;  // files per transaction: as many are lost if the program is killed
+constexpr std::int64_t settled_ns = 2'000'000'000;  // resolution of the coarsest file system clock in use
 
 /// A file to be read, and the requested folder that holds it.
 struct Candidate {
   fs::path path, root;
-  FileStamp stamp;           ///< with the release's
-  std::string release = {};  ///< the file of the release where the press has one of its own
+  FileStamp stamp;           ///< includes the file of the release
+  std::string release = {};  ///< the release's file if the press has a separate one
 };
 
 std::optional<FileStamp> stampOf(const fs::path& path) {
@@ -51,7 +51,7 @@ std::optional<FileStamp> stampOf(const fs::path& path) {
                    count_ns(fs::file_time_type::clock::now())};
 }
 
-/// Of both files of a pair.
+/// Combined stamp of both files of a pair.
 std::optional<FileStamp> stampOf(const Candidate& candidate) {
   auto stamp = stampOf(candidate.path);
   if (!stamp || candidate.release.empty()) return stamp;
@@ -76,7 +76,7 @@ Failure unreadableFolder(const fs::path& folder, const std::string& why) {
           "Pass a folder of measurements"};
 }
 
-/// Files in the order of their names, each once.
+/// Collects files in the order of their names, each once.
 class FolderSearch {
  public:
   explicit FolderSearch(bool pages) : pages_(pages) {}
@@ -137,7 +137,7 @@ class FolderSearch {
   std::set<std::string> seen_;
 };
 
-/// Reads a file once; `same` where its content is what is known.
+/// The result of reading a file once; `same` if its content has not changed.
 struct FileRead {
   LibraryFile file;
   bool same = false;
@@ -163,7 +163,7 @@ void takeRatings(FileRead& read, const Origin& origin) {
   read.file.refused.reset();
 }
 
-/// Without the switches of one that is to be read.
+/// Checks a file against its stored data. The switches of a file that must be read are still missing.
 FileRead readingOf(const Candidate& candidate, const FileStamp& stamp, const KnownFile* known) {
   FileRead read;
   read.file = {candidate.path.string(), stamp, {}, version(), {}, {}};
@@ -192,7 +192,7 @@ FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Orig
   return read;
 }
 
-/// The file as it was at one moment. Reads it again, up to three times, if it was written meanwhile.
+/// Reads a file in a consistent state: again, up to three times, if it was written meanwhile.
 FileRead readWhole(const Candidate& candidate, const Origin& origin, const KnownFile* known) {
   constexpr int attempts = 3;
   FileStamp before = candidate.stamp;
@@ -204,21 +204,22 @@ FileRead readWhole(const Candidate& candidate, const Origin& origin, const Known
     before = *after;
   }
   FileRead changed;
-  changed.file = {candidate.path.string(), {}, {}, version(), {}, {}};  // no stamp: looked at again next time
+  // without a stamp, so that the next run reads it again
+  changed.file = {candidate.path.string(), {}, {}, version(), {}, {}};
   changed.file.refused =
       refusalOf(changed.file.path, {FailureCode::unreadableInput, candidate.path.filename().string(), "",
                                     "it was written while it was read", "Index again when it is complete"});
   return changed;
 }
 
-/// A file to read, with all that reading it needs.
+/// A file to read, with its context.
 struct Task {
   const Candidate* candidate = nullptr;
   Origin origin;
   const KnownFile* known = nullptr;  ///< null: a new file
 };
 
-/// Threads that read; results are taken one by one. Ends its threads when it goes.
+/// Threads that read files; the results are taken one by one. The destructor ends the threads.
 class Readers {
  public:
   Readers(const std::vector<Task>& tasks, int jobs, std::function<bool()> cancelled)
@@ -252,9 +253,8 @@ class Readers {
     for (std::size_t i = next_++; i < tasks_.size() && !stop_; i = next_++) {
       FileRead read = readWhole(*tasks_[i].candidate, tasks_[i].origin, tasks_[i].known);
       std::unique_lock lock(mutex_);
-      room_.wait(lock, [&] {
-        return stop_ || done_.size() < 2 * batchFiles;
-      });  // memory stays bounded behind a slow disk
+      room_.wait(
+          lock, [&] { return stop_ || done_.size() < 2 * batchFiles; });  // limits memory if the disk is slow
       done_.push_back(std::move(read));
       ready_.notify_one();
     }
@@ -281,7 +281,7 @@ class IndexRun {
     if (!known) return known.failure();
     known_ = std::move(*known);
     summary_.rebuilt = store_.rebuilt();
-    std::vector<Task> tasks;  // of logs; pages_ of pages
+    std::vector<Task> tasks;  // tasks of logs; those of pages are in pages_
     Origins origins(request_.licence, request_.credit);
     for (const Candidate& candidate : search.found()) plan(candidate, origins, tasks);
     if (auto failure = markGone(search)) return std::move(*failure);
@@ -332,13 +332,13 @@ class IndexRun {
     return {};
   }
 
-  /// A page that an earlier run took and this one does not ask for.
+  /// Returns true for a page that an earlier run has read and this run does not request.
   bool isPassedOver(const std::string& path) const {
     std::error_code error;
     return !request_.readPages && isPageFile(path) && fs::exists(path, error);
   }
 
-  /// After all threads of the readers of logs have ended: pages are read in processes.
+  /// Reads pages in processes, after all reader threads have ended.
   std::optional<Failure> readPages() {
     std::map<std::string, FileRead> readings;
     std::map<std::string, const Task*> tasks;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Folders of measured switches into a library. What is unchanged is not read again.
+// Adds folders of measured switches to a library. Unchanged files are not read again.
 
 #include <cstddef>
 #include <functional>
@@ -11,7 +11,8 @@
 
 namespace detent::importer {
 
-/// Reads pages and pictures, each so that a crash or a hang costs it alone; hands over what comes of each.
+/// Reads pages and pictures, each in isolation so that a crash or a hang affects it alone, and passes on the
+/// result of each.
 using PageReader = std::function<Result<Done>(
     const std::vector<std::string>& paths,
     const std::function<void(const std::string& path, Result<std::vector<LibrarySwitch>>)>& take)>;
@@ -19,20 +20,21 @@ using PageReader = std::function<Result<Done>(
 struct IndexRequest {
   std::vector<std::string> folders;  ///< or single files
   std::string database;
-  std::string licence, credit;  ///< of all that is read now; empty: as the folders say
-  int jobs = 0;                 ///< threads; 0: one for each processor
-  PageReader readPages = {};    ///< pages and pictures of datasheets too; empty: they are passed over
+  /// for everything that this run reads; empty: taken from the folders (Origin)
+  std::string licence, credit;
+  int jobs = 0;               ///< threads; 0: one for each processor
+  PageReader readPages = {};  ///< also reads pages and pictures of datasheets; empty: they are skipped
 };
 
 struct IndexSummary {
-  std::size_t imported = 0;   ///< files read now
-  std::size_t refused = 0;    ///< files that are not in it, read now or before
-  std::size_t unchanged = 0;  ///< files that were in it and are as they were
-  std::size_t gone = 0;       ///< files that were there and are not: their switches are kept, and not found
-  std::size_t switches = 0;   ///< of the files read now
-  std::size_t ratings = 0;    ///< of score sheets read now
+  std::size_t imported = 0;           ///< files read now
+  std::size_t refused = 0;            ///< files that could not be added, in this run or an earlier one
+  std::size_t unchanged = 0;          ///< files in the library that have not changed
+  std::size_t gone = 0;               ///< files that no longer exist: their switches are kept but not found
+  std::size_t switches = 0;           ///< of the files read now
+  std::size_t ratings = 0;            ///< of score sheets read now
   std::vector<RefusedFile> refusals;  ///< one for each refused file
-  Message rebuilt;                    ///< why the library was made anew; empty where it was not
+  Message rebuilt;                    ///< reason why the library was rebuilt; empty if it was not
 };
 
 struct IndexProgress {
@@ -40,8 +42,8 @@ struct IndexProgress {
   std::function<bool()> cancelled;  ///< called from any thread; may be empty
 };
 
-/// Files that were read before a Failure or a forced end stay read. Failure unreadableInput: no such folder;
-/// those of LibraryStore::openToWrite and put; cancelled.
+/// Files that were read before a Failure or a forced end stay in the library. Failure unreadableInput: no
+/// such folder; also those of LibraryStore::openToWrite and put; cancelled.
 Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress = {});
 
 }  // namespace detent::importer

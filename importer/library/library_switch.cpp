@@ -8,10 +8,10 @@
 namespace detent::importer {
 namespace {
 
-// Of 112 labelled switches 94 to 96 in 100 are classified correctly by any bar from 5 to 8 gf.
+// Any limit from 5 to 8 gf classifies 94 to 96 % of 112 labelled switches correctly.
 constexpr double linearBelow_gf = 5, tactileAbove_gf = 8;
 
-// Of 1,008 records with a peak 125 are of linear switches; 99 of these have it so near the start.
+// Of 1,008 records with a peak, 125 are of linear switches; 99 of these have the peak this near to the start.
 constexpr double contactReach_mm = 0.3;
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace detent::importer {
 enum class SwitchKind { linear, between, tactile };
 std::string_view nameOf(SwitchKind kind);
 SwitchKind kindOf(const KeyFigures& figures);
-/// Takes peak, valley and what follows from them from a linear switch whose peak lies where it is first
-/// touched: there its preload is met, which is no tactile point. `start_mm`: of the press.
+/// Removes peak, valley and derived figures from a linear switch whose peak lies at its first contact: the
+/// force rises to the preload there, which is no tactile point. `start_mm`: of the press.
 void forgetContactBump(KeyFigures& figures, KeyFigures& sigmas, double start_mm);
 
 struct LibrarySwitch {
@@ -28,7 +28,8 @@ struct LibrarySwitch {
   KeyFigures figures;
   KeyFigures
       sigmas;  ///< standard errors of the figures (measured_figures.h, PageButton); none of a button's file
-  bool scaleDoubtful = false;  ///< forces of this kind of file lie well off other laboratories'
+  /// files of this kind are known to have forces far from those of other laboratories
+  bool scaleDoubtful = false;
   FeltShape shape;
 };
 

@@ -15,12 +15,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A polynomial in t, -1 to 1 across the window; or two that meet at a joint.
+/// A polynomial in t, -1 to 1 across the window, or two that meet at a joint.
 struct Shape {
   enum class Joint {
     none,
-    bent,  ///< past the joint one more term for every power from `bend` to `bends`: from 1 on a corner, from 2 on a jump of the bend
-    level  ///< level at the joint, each side with terms of its own from 2 to `degree`
+    /// past the joint there is one more term for every power from `bend` to `bends`: 1 is a corner, 2 a
+    /// change of curvature
+    bent,
+    level  ///< horizontal at the joint; each side has its own terms from power 2 to `degree`
   };
   int degree = 1;
   Joint kind = Joint::none;
@@ -68,8 +70,8 @@ struct Shape {
   }
 };
 
-/// t of the samples, and their forces as what each adds to those before it: white, of a variance of 1 up to a
-/// common factor.
+/// The samples' t, and their forces as innovations: the part of each that the readings before it do not
+/// predict, in units of a common standard deviation.
 struct Columns {
   explicit Columns(const LocalWindow& window) {
     const auto& points = window.points;
@@ -79,7 +81,7 @@ struct Columns {
     t.resize(count), perSigma.resize(count), gain.resize(count);
     VectorXd force_N(count);
     share = window.share;
-    double known = window.carried;  // variance of the correlated noise that the previous readings leave
+    double known = window.carried;  // variance of the correlated noise that earlier readings determine
     for (Index i = 0; i < count; ++i) {
       const auto k = static_cast<std::size_t>(i);
       t[i] = this->at(points[k].displacement_mm);
@@ -92,7 +94,7 @@ struct Columns {
     force = whitened(force_N);
   }
   double at(double displacement_mm) const { return (displacement_mm - middle_mm) / half_mm; }
-  /// Innovation of each row beyond the prediction from those before it (Kalman 1960), in standard deviations.
+  /// Difference of each row from its prediction by the rows before it (Kalman 1960), in standard deviations.
   MatrixXd whitened(MatrixXd rows) const {
     Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(rows.cols());
     for (Index i = 0; i < rows.rows(); ++i) {
@@ -113,7 +115,8 @@ struct Solved {
   double squares = 0;
 };
 
-/// Least squares, with the scatter of the samples as they are. Nothing where the samples do not determine it.
+/// Least squares; the errors follow from the actual scatter of the samples. Nothing if the samples do not
+/// determine the solution.
 std::optional<Solved> solved(const Columns& columns, const MatrixXd& terms_N) {
   const MatrixXd matrix = columns.whitened(terms_N);
   if (matrix.cols() + 2 > matrix.rows()) return {};
@@ -132,7 +135,7 @@ std::optional<Solved> solved(const Columns& columns, const MatrixXd& terms_N) {
   return solution;
 }
 
-/// The terms of all samples, and the change of them by a step of the joint if the solution is given.
+/// The matrix of terms for all samples; with a solution also a column for moving the joint.
 MatrixXd matrixOf(const Columns& columns, const Shape& shape, const VectorXd* solved = nullptr) {
   const Index terms = shape.columns();
   MatrixXd matrix = MatrixXd::Zero(columns.t.size(), terms + (solved ? 1 : 0));
@@ -158,20 +161,20 @@ MatrixXd matrixOf(const Columns& columns, const Shape& shape, const VectorXd* so
   return matrix;
 }
 
-/// Estimate of one model, and its fit to the samples.
+/// Estimate of one model and its agreement with the samples.
 struct Said {
   LocalPlace place;
   double squares = 0;
   Index parameters = 0;
 };
 
-/// The mean of the models by their evidence (Akaike's, corrected for few samples); their errors hold what
-/// they differ by.
+/// Mean of the models, weighted by their evidence (Akaike's criterion, corrected for few samples). Its errors
+/// include the differences between the models.
 std::optional<LocalPlace> meanPlace(const std::vector<Said>& all, const Columns& columns) {
   if (all.empty()) return {};
   const auto n = static_cast<double>(columns.t.size());
   const auto score = [&](const Said& each) {
-    const auto k = static_cast<double>(each.parameters) + 1;  // and the scatter
+    const auto k = static_cast<double>(each.parameters) + 1;  // plus one for the scatter
     return n * std::log(std::max(each.squares, 1e-300) / n) + 2 * k +
            2 * k * (k + 1) / std::max(n - k - 1, 0.5);
   };
@@ -207,8 +210,8 @@ LocalPlace placeOf(const Columns& columns, double t, double force_N, const Matri
   return place;
 }
 
-/// A shape through the samples; by Gauss and Newton where it has a joint, whose step stands behind the terms
-/// in the covariance.
+/// Fits a shape to the samples. A joint is found by Gauss-Newton steps; its step follows the terms in the
+/// covariance.
 std::optional<Solved> placed(const Columns& columns, Shape& shape) {
   if (shape.kind == Shape::Joint::none) return solved(columns, matrixOf(columns, shape));
   constexpr int rounds = 25;
@@ -218,8 +221,8 @@ std::optional<Solved> placed(const Columns& columns, Shape& shape) {
     if (shape.parameters() + 2 > columns.t.size()) return {};
     const Eigen::HouseholderQR<MatrixXd> qr(columns.whitened(matrixOf(columns, shape)));
     const VectorXd terms = qr.solve(columns.force);
-    // The part of the joint's column, and of the forces, that no term explains: its step is their regression
-    // (Golub & Pereyra 1973).
+    // The part of the joint's column and of the forces that no term explains. Their regression gives the
+    // joint's step (Golub & Pereyra 1973).
     const auto unexplained = [&](const VectorXd& column) -> VectorXd {
       const VectorXd turned = qr.householderQ().adjoint() * column;
       return turned.tail(turned.size() - shape.columns());
@@ -238,7 +241,7 @@ std::optional<Solved> placed(const Columns& columns, Shape& shape) {
   return solution;
 }
 
-/// The terms, and behind them what a step of the joint does.
+/// The terms, followed by the effect of moving the joint.
 VectorXd withJoint(const Shape& shape, const VectorXd& terms, double perJoint) {
   VectorXd all = VectorXd::Zero(shape.parameters());
   all.head(terms.size()) = terms;
@@ -246,12 +249,13 @@ VectorXd withJoint(const Shape& shape, const VectorXd& terms, double perJoint) {
   return all;
 }
 
-/// The joint itself, and the force there.
+/// Position of the joint and force there.
 Said jointOf(const Columns& columns, const Shape& shape, const Solved& solution) {
   VectorXd of_t = VectorXd::Zero(shape.parameters());
   of_t[shape.columns()] = 1;
   const VectorXd heights = shape.at(shape.joint);
-  // The force where the joint is, not at a place: what moves with the joint stays.
+  // Error of the force at the joint, not at a fixed displacement, so the part that moves with the joint is
+  // excluded.
   const double along = shape.at(shape.joint, 1).dot(solution.terms);
   return {placeOf(columns, shape.joint, heights.dot(solution.terms), solution.covariance, of_t,
                   withJoint(shape, heights, along)),
@@ -262,7 +266,8 @@ std::optional<Said> extremumOf(const Columns& columns, Shape shape, double sign)
   const auto solution = placed(columns, shape);
   if (!solution) return {};
   if (shape.kind == Shape::Joint::level) {
-    for (const double end : {-1.0, 1.0})  // it falls away to either side on the whole, however flat at first
+    // the curve must fall to either side, however flat it is near the extremum
+    for (const double end : {-1.0, 1.0})
       if (!(sign * (shape.at(end).dot(solution->terms) - solution->terms[0]) < 0)) return {};
     return jointOf(columns, shape, *solution);
   }
@@ -272,7 +277,7 @@ std::optional<Said> extremumOf(const Columns& columns, Shape shape, double sign)
     const double here = -1 + 2.0 * i / positions, height = sign * shape.at(here).dot(solution->terms);
     if (height > highest) highest = height, t = here;
   }
-  constexpr double inside = 0.95;  // of half the window: its end is no extremum
+  constexpr double inside = 0.95;  // of half the window: an extremum at its end does not count
   if (std::abs(t) > inside) return {};
   double bend = 0;
   for (int i = 0; i < 20; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A place on a stroke and its force, from the samples around it: several models of the window, each as likely
-// as its evidence says (Burnham & Anderson 2002), with the errors of each and what they differ by
+// Estimates a place on a stroke and its force from the samples around it. Several models of the window are
+// weighted by their evidence (Burnham & Anderson 2002); the error includes the difference between the models
 // (docs/develop/decisions/0813).
 
 #include <optional>
@@ -21,8 +21,8 @@ struct LocalPlace {
 struct LocalWindow {
   std::vector<CurvePoint> points;
   // Variances of the noise, up to a common factor:
-  std::vector<double> own;  ///< of each reading's own, > 0
-  double carried = 0;       ///< of what each reading carries on to the next by a share
+  std::vector<double> own;  ///< of the independent part of each reading, > 0
+  double carried = 0;       ///< of the part that each reading passes on to the next, multiplied by `share`
   double share = 0;         ///< [0, 1)
 };
 
@@ -33,10 +33,10 @@ std::optional<LocalPlace> extremumIn(const LocalWindow& window, double sign);
 /// Start of a bottom-out, above a gentler slope; `near_mm`: its approximate displacement.
 std::optional<LocalPlace> cornerIn(const LocalWindow& window, double near_mm);
 
-/// The force at a displacement of the window, of which nothing is unknown.
+/// The force at a given displacement of the window; its displacement has no error.
 std::optional<LocalPlace> forceAt(const LocalWindow& window, double displacement_mm);
 
-/// Likewise at the window's first displacement, before a contact or not.
+/// The same at the window's first displacement, whether or not the switch is touched there.
 std::optional<LocalPlace> beginningOf(const LocalWindow& window);
 
 }  // namespace detent::importer

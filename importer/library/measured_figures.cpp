@@ -13,11 +13,11 @@
 namespace detent::importer {
 namespace {
 
-/// Half of what holds 68.3 % of the sums of a normal error and of two that may lie anywhere between minus and
-/// plus their bounds.
+/// Half the width that holds 68.3 % of the sums of one normal error and two errors distributed evenly between
+/// plus and minus their bounds.
 double halfOf68(double variance, double a, double b) {
-  constexpr double share = 0.682689;  // of a normal error, within one standard error
-  constexpr double coarse = 1e-2;     // of the other errors: below, a bound is as good as normal
+  constexpr double share = 0.682689;  // share of a normal error within one standard error
+  constexpr double coarse = 1e-2;     // of the other errors: a smaller bound is treated as normal
   if (a < b) std::swap(a, b);
   for (double* bound : {&b, &a})
     if (*bound * *bound < coarse * coarse * variance) variance += *bound * *bound / 3, *bound = 0;
@@ -41,11 +41,11 @@ double halfOf68(double variance, double a, double b) {
   return 0.5 * (low + high);
 }
 
-/// The errors of one figure.
+/// Error of one figure.
 struct Error {
   bool isReported = true;
   double variance = 0;
-  std::array<double, 2> bounds{};  ///< of what may lie anywhere within a step
+  std::array<double, 2> bounds{};  ///< of errors distributed evenly within one step
 
   void addBound(double bound) {
     double& free = bounds[0] == 0 ? bounds[0] : bounds[1];
@@ -82,11 +82,11 @@ class Measured {
  private:
   Error& errorOf(KeyFigure figure) { return errors_[static_cast<std::size_t>(figure)]; }
 
-  /// Start, peak, valley and start of the bottom-out by the models of the samples around each, and the
-  /// figures that are made of them.
+  /// Measures start, peak, valley and start of the bottom-out by the models of the samples around each, and
+  /// derives the other figures.
   void measurePlaces() {
-    constexpr double depth = 0.25;     // of what an extremum stands out, down to which its samples count
-    constexpr double leastNoises = 3;  // that its samples reach down at least
+    constexpr double depth = 0.25;           // share of an extremum's prominence within which samples count
+    constexpr double leastNoises = 3;        // least depth in noises that its samples must reach
     constexpr double bottomOutReach = 0.12;  // of the travel, below a bottom-out
     const StrokeCurve& press = state_.graph.press();
     const double end_mm = down_.last().displacement_mm;
@@ -128,8 +128,8 @@ class Measured {
     figures_[KeyFigure::initialForce] = shape.start.force_N;
     errorOf(KeyFigure::initialForce).variance = found[0] ? found[0]->variance_N2 : 0;
     for (std::size_t i = 0; i < found.size(); ++i) addPlace(shape, i, found[i]);
-    // Rounding of a displacement affects its neighbours too if the readings are evenly spaced; an end has its
-    // own.
+    // If readings are evenly spaced, rounding of one displacement shifts its neighbours too; the end of the
+    // travel is rounded separately.
     if (down_.isEven() || !bottom.isSteep) {
       ShapePlaces away = shape;
       for (std::size_t i = 1; i < found.size(); ++i)
@@ -160,8 +160,8 @@ class Measured {
     return moved;
   }
 
-  /// Effect of the errors of one displacement on every figure; a displacement that was not found leaves its
-  /// figures without an error.
+  /// Adds the effect of one displacement's errors to every figure. If the displacement was not found, its
+  /// figures get no error.
   void addPlace(const ShapePlaces& shape, std::size_t which, const std::optional<LocalPlace>& found) {
     constexpr double tiny_mm = 1e-6, tiny_N = 1e-6;
     ShapePlaces deeper = shape, harder = shape;
@@ -190,7 +190,7 @@ class Measured {
     errorOf(KeyFigure::bottomOutForce).isReported = errorOf(KeyFigure::bottomOutTravel).isReported = false;
   }
 
-  /// The travel ends anywhere within a step, at the force that was read there.
+  /// The travel ends somewhere within one step, at the force that was read there.
   void measureEnds() {
     figures_[KeyFigure::totalTravel] = down_.last().displacement_mm;
     errorOf(KeyFigure::totalTravel).addBound(halfStep_mm_);
@@ -216,10 +216,10 @@ class Measured {
     errorOf(KeyFigure::hysteresis).variance = down_.areaVariance() + up_->areaVariance();
   }
 
-  /// A contact closes somewhere between two samples.
+  /// The contact closes somewhere between two samples.
   void measureContact(std::optional<double> contact_mm, const SampledStroke& samples, KeyFigure force) {
     if (!contact_mm) return;
-    constexpr double reach = 0.04;  // of the travel, to either side
+    constexpr double reach = 0.04;  // of the travel, on either side
     const double reach_mm = reach * (samples.last().displacement_mm - samples.first().displacement_mm);
     if (const auto found =
             forceAt(samples.between(*contact_mm - reach_mm, *contact_mm + reach_mm), *contact_mm)) {
@@ -239,7 +239,7 @@ class Measured {
   }
 
   const ButtonState& state_;
-  const KeyFigures fitted_;  ///< as the fit has them
+  const KeyFigures fitted_;  ///< figures of the fit
   KeyFigures figures_;
   SampledStroke down_;
   std::optional<SampledStroke> up_;

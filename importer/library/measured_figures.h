@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The figures of a measured switch from its samples, and how far the meter's noise and its steps let them be
-// off.
+// Key figures of a measured switch from its samples, with the errors that the meter's noise and step size
+// cause.
 
 #include "importer/importer.h"
 #include "model/key_figures.h"

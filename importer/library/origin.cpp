@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t readBytes = 4096;  // a licence names itself at its beginning
+constexpr std::size_t readBytes = 4096;  // a licence states its name at the beginning
 
 std::string beginningOf(const fs::path& file) {
   std::string text(readBytes, '\0');
@@ -39,7 +39,7 @@ fs::path licenceFileIn(const fs::path& folder) {
   return first;
 }
 
-/// Words that a licence says of itself, with what people call it; the first that fits counts.
+/// Phrases of licence texts with the usual names of the licences; the first match counts.
 constexpr std::array<std::pair<std::string_view, const char*>, 12> licences{{
     {"attribution-noncommercial-sharealike", "CC BY-NC-SA"},
     {"attribution-noncommercial", "CC BY-NC"},
@@ -55,7 +55,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 12> licences{{
     {"mit license", "MIT"},
 }};
 
-constexpr std::size_t shownBytes = 80;  // of a licence without a name that is known
+constexpr std::size_t shownBytes = 80;  // shown of a licence whose name is not known
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Whose measurements stand in a folder, and under which licence: as the folder itself says it.
+// Author and licence of the measurements in a folder, as the folder itself states them.
 
 #include <filesystem>
 #include <map>
@@ -34,8 +34,8 @@ class Origins {
 /// Name of a licence from its text. Its first line if the licence is not known; empty for an empty text.
 std::string licenceNamed(std::string_view text);
 
-/// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where
-/// there is none.
+/// "owner/name" from the first URL of a git configuration, without any password in it; empty if there is
+/// none.
 std::string creditFrom(std::string_view gitConfig);
 
 }  // namespace detent::importer

@@ -57,7 +57,8 @@ std::optional<std::size_t> columnOf(const Cells& headings, std::string_view name
   return {};
 }
 
-/// Letters, figures and whatever is not ASCII make words; "switch" says nothing.
+/// Words of a name: letters, digits and all non-ASCII characters; "switch" is left out because it
+/// distinguishes nothing.
 std::set<std::string> ratingWords(const std::string& name) {
   std::set<std::string> words;
   std::string word;
@@ -77,7 +78,7 @@ std::string keyOf(const std::set<std::string>& words) {
   return key;
 }
 
-/// The sets of words that mean this switch.
+/// The sets of words by which this switch may be named.
 std::set<std::string> keysOf(const Rating& rating) {
   const std::set<std::string> own = ratingWords(rating.name);
   std::set<std::string> keys{keyOf(own)};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ratings of a switch by a person, beside the measurements: score sheets, as their author wrote them. Nothing
-// is computed from them.
+// Ratings of switches by people: score sheets as their author wrote them. Nothing is computed from them.
 
 #include <map>
 #include <string>
@@ -25,15 +24,16 @@ struct Rating {
 /// left empty. Any thread.
 std::vector<Rating> ratingsIn(std::string_view csv);
 
-/// "ThereminGoat/switch-scores of \"Alpaca V2\": Push Feel 32, Wobble 22": whose, of what, and what.
+/// "ThereminGoat/switch-scores of \"Alpaca V2\": Push Feel 32, Wobble 22": the author, the switch and the
+/// scores.
 std::string ratingWords(const Rating& rating);
 
 /// Finds the ratings of a switch by its name. Any thread once it is made.
 class RatingsByName {
  public:
   explicit RatingsByName(const std::vector<Rating>& all);
-  /// Ratings whose name has the same words in any order, with the maker's or, if two are left, without; of
-  /// one person's sheets the most detailed one.
+  /// Ratings whose name has the same words in any order, with the maker's name or, if at least two words
+  /// remain, without it. Of several in one person's sheets, the most detailed one.
   std::vector<Rating> of(const std::string& switchName) const;
 
  private:

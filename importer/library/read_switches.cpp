@@ -23,7 +23,7 @@ bool isButtonFile(const std::filesystem::path& path) {
   return lowered(path.filename().string()).ends_with(".button.json");
 }
 
-/// Of thousands of logs: a fit of 20 ms instead of 300, of the same samples.
+/// For thousands of logs: a fit of the same samples takes 20 ms instead of 300.
 constexpr Quality forFigures = Quality::draft;
 
 /// One state of a button in a file.
@@ -40,16 +40,16 @@ bool hasDoubtfulScale(const ImportReport& report) {
                              [](const Remark& each) { return each.code == RemarkCode::forceScaleDoubtful; });
 }
 
-/// `name` is what the button's own file or sheet calls it, if it does.
+/// Adds the states of a button. `name`: the name in the button's own file or sheet; empty without one.
 void addStates(const Button& button, const std::string& name, std::vector<ReadState>& all) {
   for (const ButtonState& state : button.states())
     all.push_back({state, state.name.empty() ? name : name + " (" + state.name + ")", button.provenance()});
 }
 
-/// The names of the switches that are each a record of a file; one empty name for a file of one.
+/// Names of the switches that are separate records of a file; one empty name for a file with a single record.
 std::vector<std::string> switchesIn(const std::string& path) {
   std::vector<std::string> names = recordNames(path);
-  // Cycles of one switch have no names of their own.
+  // Several cycles of one switch have no names.
   if (names.size() < 2 || std::ranges::any_of(names, [](const std::string& each) { return each.empty(); }))
     return {""};
   return names;
@@ -119,7 +119,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path, const std::st
   return all;
 }
 
-/// The file of the release that belongs to a press; empty: none.
+/// The file with the release of a press; empty if there is none.
 std::string releaseBeside(const std::string& path) {
   if (withoutStrokeWord(path) == path) return {};
   std::vector<std::string> folder;
@@ -132,7 +132,7 @@ std::string releaseBeside(const std::string& path) {
   return pair == pairs.end() ? std::string() : pair->second;
 }
 
-/// Rows of what a file holds.
+/// Library rows for the contents of a file.
 Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, const std::string& path) {
   const SwitchName fromFile = switchNameFrom(withoutStrokeWord(path));
   std::vector<LibrarySwitch> all;

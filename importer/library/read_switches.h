@@ -19,15 +19,16 @@ bool isLibraryFile(const std::filesystem::path& path);
 /// Returns true if a file is, by its ending, a page or picture, which may hold force graphs of datasheets.
 bool isPageFile(const std::filesystem::path& path);
 
-/// A graph of a page, with what its import says of how far figures may be off.
+/// A graph of a page, with the standard errors that its import implies.
 struct PageButton {
   Button button;
-  /// Of the first state: the peak's force and travel, by fit, misfit and the rms of its axes' ticks. An import knows nothing of the others.
+  /// Of the first state: force and travel of the peak, from fit, misfit and the rms of the axes' ticks. Other
+  /// figures have no error.
   KeyFigures sigmas = {};
 };
 
-/// Force graphs of a page or picture that are certain enough, in their order. Failure: if none is, the reason
-/// why the first was refused. Any thread.
+/// Force graphs of a page or picture whose confidence suffices, in their order. Failure: if there is none,
+/// the reason for which the first was refused. Any thread.
 Result<std::vector<PageButton>> readPageButtons(const std::string& path, Quality quality);
 
 /// Rows of buttons that stand in one page or picture.

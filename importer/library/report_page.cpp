@@ -40,7 +40,7 @@ const char* const style =
     ".grid{stroke:#e4e4e4;stroke-width:1}"
     "@media print{body{margin:0;max-width:none}figure{break-inside:avoid}}";
 
-/// Axes of a plot, the same for all of a page, so that they can be compared.
+/// Axes of a plot, the same for all plots of a page, so that they can be compared.
 struct Axes {
   static constexpr double width_px = 340, height_px = 220, left_px = 34, right_px = 8, top_px = 8,
                           bottom_px = 30;
@@ -129,13 +129,13 @@ const std::array<Column, 7>& columns() {
   return all;
 }
 
-/// " ± 0.2"; nothing where it is smaller than the last place shown.
+/// " ± 0.2"; empty if the error is smaller than the last digit shown.
 std::string errorOf(double error, const Column& column) {
   const std::string shown = format(column.pattern, error / column.unit);
   return shown.find_first_of("123456789") == std::string::npos ? "" : " ± " + shown;
 }
 
-/// "54.1 ± 0.2", and below it what its units scatter by.
+/// "54.1 ± 0.2", with the scatter between units below it.
 std::string figureOf(const LibrarySwitch& entry, const SwitchSpread& spread, const Column& column) {
   const auto& value = entry.figures[column.figure];
   if (!value) return "–";
@@ -178,7 +178,7 @@ std::string tableOf(const LibrarySwitch& like, const std::vector<FoundSwitch>& f
   return text + "</tbody></table></div>\n";
 }
 
-/// Whose measurements stand on the page, each with the licences of what is theirs.
+/// Authors of the measurements on the page, each with the licences of their data.
 std::string creditsOf(const LibrarySwitch& like, const std::vector<FoundSwitch>& found) {
   std::map<std::string, std::set<std::string>> licences;
   const auto take = [&](const LibrarySwitch& each) {

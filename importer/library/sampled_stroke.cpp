@@ -19,7 +19,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Means over as many neighbours to either side as there are, at most `reach`.
+/// Running means over equally many neighbours on either side, at most `reach`.
 std::vector<double> runningMeans(const std::vector<double>& values, std::size_t reach) {
   std::vector<double> sums{0}, means;
   for (const double each : values) sums.push_back(sums.back() + each);
@@ -30,12 +30,12 @@ std::vector<double> runningMeans(const std::vector<double>& values, std::size_t 
   return means;
 }
 
-/// Polynomials of rising degree through so many samples side by side, orthonormal; and the autocovariances
-/// that noise has behind a cubic: noise of which each sample carries on a share to the next, 0 of white
-/// noise.
+/// For a block of consecutive samples: orthonormal polynomials of increasing degree, and the autocovariances
+/// of noise after a cubic is fitted. In that noise each sample passes a share on to the next; share 0 is
+/// white noise.
 struct Blocks {
   static constexpr std::size_t mostLags = 40;
-  static constexpr Eigen::Index cubic = 4;  // terms
+  static constexpr Eigen::Index cubic = 4;  // number of terms
   static constexpr std::array shares{0.0, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9, 0.925, 0.95, 0.97};
 
   explicit Blocks(std::size_t length) : lags(std::min(mostLags, length / 2)) {
@@ -65,19 +65,19 @@ struct Blocks {
 
   std::size_t lags;
   Eigen::MatrixXd basis;
-  std::vector<Eigen::VectorXd> behindCubic;  ///< of each share, of a variance of 1
+  std::vector<Eigen::VectorXd> behindCubic;  ///< for each share, for noise of variance 1
 };
 
 struct Noise {
-  double variance_N2 = 0;  ///< of a reading
-  double carried_N2 = 0;   ///< of this, what it carries on to the next by a share
+  double variance_N2 = 0;  ///< of the independent part of a reading
+  double carried_N2 = 0;   ///< of the part that a reading passes on to the next, multiplied by `share`
   double share = 0;
 
   /// Number of readings that share one error.
   double together() const { return 1 + carried_N2 / variance_N2 * ((1 + share) / (1 - share) - 1); }
 };
 
-/// Of the shares the likeliest by these autocovariances behind cubics.
+/// The most likely noise: the share whose autocovariances agree best with these.
 Noise noiseBy(const Eigen::VectorXd& covariances, const Blocks& blocks) {
   const auto count = static_cast<double>(covariances.size());
   const auto score = [&](const Eigen::VectorXd& said, int parameters) {  // Schwarz 1978
@@ -102,7 +102,8 @@ Noise noiseBy(const Eigen::VectorXd& covariances, const Blocks& blocks) {
   return best;
 }
 
-/// Means over the stretches that a cubic fits as well as any higher polynomial; nullopt if there are none.
+/// Mean autocovariances over blocks that a cubic fits as well as any higher polynomial; nullopt if there are
+/// none.
 std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePoint>& points,
                                                        const Blocks& blocks, double together) {
   const auto length = static_cast<std::size_t>(blocks.basis.rows());
@@ -116,7 +117,7 @@ std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePo
     const Eigen::VectorXd terms = blocks.basis.transpose() * forces;
     const Eigen::VectorXd rest = forces - blocks.basis.leftCols(Blocks::cubic) * terms.head(Blocks::cubic);
     const double squares = rest.squaredNorm();
-    if (squares == 0) continue;  // before contact a reading may stand still
+    if (squares == 0) continue;  // before contact readings may be constant
     bool isCubic = true;         // Schwarz 1978
     for (const Eigen::Index terms_more : {2, 4, 6}) {
       const double left = squares - terms.segment(Blocks::cubic, terms_more).squaredNorm();
@@ -130,7 +131,7 @@ std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePo
       covariances[lag] = rest.head(rest.size() - lag).dot(rest.tail(rest.size() - lag)) / freedom;
   }
   if (plain.empty()) return {};
-  constexpr double like = 1.7, quiet = 0.3;  // times the variance below which that share of the stretches is
+  constexpr double like = 1.7, quiet = 0.3;  // times the variance below which this share of the blocks lies
   std::ranges::sort(plain, {}, [](const Eigen::VectorXd& each) { return each[0]; });
   const double most_N2 = like * plain[static_cast<std::size_t>(quiet * static_cast<double>(plain.size()))][0];
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(blocks.lags));
@@ -145,21 +146,22 @@ std::optional<Eigen::VectorXd> covariancesBehindCubics(const std::vector<CurvePo
 SampledStroke::SampledStroke(const StrokeCurve& curve, const std::vector<CurvePoint>& points)
     : curve_(curve), points_(points) {
   if (points_.front().displacement_mm > points_.back().displacement_mm) std::ranges::reverse(points_);
-  std::ranges::stable_sort(points_, {}, &CurvePoint::displacement_mm);  // a sensor's place may tremble
+  std::ranges::stable_sort(points_, {}, &CurvePoint::displacement_mm);  // a displacement sensor may be noisy
   std::vector<double> steps;
   for (std::size_t i = 1; i < points_.size(); ++i)
     if (const double step = std::abs(points_[i].displacement_mm - points_[i - 1].displacement_mm); step > 0)
       steps.push_back(step);
   step_mm_ = median(steps);
-  constexpr double oneStep = 0.01, mostly = 0.98;  // of a step; of the readings: a turn is often read twice
+  // of a step; of the readings: at the turn a displacement is often read twice
+  constexpr double oneStep = 0.01, mostly = 0.98;
   const auto ones = std::ranges::count_if(
       steps, [&](double step) { return std::abs(step - step_mm_) < oneStep * step_mm_; });
   even_ = static_cast<double>(ones) > mostly * static_cast<double>(points_.size() - 1);
   weighNoise();
 }
 
-/// Noise from the stretches of samples that a cubic follows: by their autocovariances how large it is and how
-/// many samples share one error.
+/// Estimates the noise from stretches of samples that a cubic fits: its size, and how many samples share one
+/// error.
 void SampledStroke::weighNoise() {
   constexpr std::size_t longest = 200, fewest = 30;  // samples
   const std::size_t length = std::min(longest, points_.size() / 2);
@@ -170,7 +172,7 @@ void SampledStroke::weighNoise() {
   if (std::isfinite(resolution_N)) noise_N_ = resolution_N / std::sqrt(12.0);
   const auto byBends = [&] {
     constexpr double perMedian = 1.4826;  // standard deviations of normal noise
-    std::vector<double> bends;            // of white noise, six variances each
+    std::vector<double> bends;  // each bend contains white noise with six times the variance of one sample
     for (std::size_t i = 1; i + 1 < points_.size(); ++i)
       bends.push_back(std::abs(points_[i - 1].force_N - 2 * points_[i].force_N + points_[i + 1].force_N));
     noise_N_ = std::max(noise_N_, perMedian * median(bends) / std::sqrt(6.0));
@@ -179,8 +181,8 @@ void SampledStroke::weighNoise() {
   static const Blocks usual(longest);
   const std::optional<Blocks> own = length == longest ? std::nullopt : std::optional<Blocks>(length);
   const Blocks& blocks = own ? *own : usual;
-  // Errors that neighbouring samples share look like a bend of the curve, so a second round uses the noise
-  // that the first one estimated.
+  // An error that neighbouring samples share resembles a bend of the curve. The second round therefore weighs
+  // the samples by the noise that the first round estimated.
   std::optional<Noise> found;
   for (int round = 0; round < 2; ++round) {
     const auto covariances = covariancesBehindCubics(points_, blocks, found ? found->together() : 1);
@@ -219,9 +221,9 @@ double SampledStroke::areaPerEnd_N() const {
 
 LocalWindow SampledStroke::window(std::size_t from, std::size_t to) const {
   LocalWindow window;
-  // A place rounded by itself moves the force by the curve's slope.
+  // If each displacement is rounded separately, the error moves the force by the curve's slope.
   const double rounded_mm = even_ ? 0 : step_mm_ / std::sqrt(12.0);
-  constexpr double least = 1e-3;  // of the noise: nothing is read without any of its own
+  constexpr double least = 1e-3;  // of the noise: every reading has a part of its own
   const double own_N2 =
       noise_N_ > 0 ? std::max(noise_N_ * noise_N_ - carried_N2_, least * noise_N_ * noise_N_) : 1;
   window.carried = carried_N2_;
@@ -269,7 +271,8 @@ LocalWindow SampledStroke::around(double displacement_mm, double sign, double de
   }
   while (from < to && heights[from] < top - depth_N) ++from;
   while (to > from && heights[to] < top - depth_N) --to;
-  constexpr std::size_t lopsided = 2;  // times the other side's reach: a steep side and a flat one
+  // times the other side's reach: one side may be steep and the other flat
+  constexpr std::size_t lopsided = 2;
   const std::size_t left = at - std::min(from, at), right = std::max(to, at) - at;
   from = at - std::min(left, std::max<std::size_t>(lopsided * right, reach));
   to = at + std::min(right, std::max<std::size_t>(lopsided * left, reach));
@@ -277,7 +280,7 @@ LocalWindow SampledStroke::around(double displacement_mm, double sign, double de
 }
 
 LocalWindow SampledStroke::atStart(double to_mm) const {
-  constexpr double leaves = 20;       // noises
+  constexpr double leaves = 20;       // in noises: the force leaves its first value
   constexpr std::size_t fewest = 12;  // samples
   std::size_t end = 1;
   while (end < points_.size() && points_[end].displacement_mm < to_mm &&

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t applicationId = 0x44744c62;  // "DtLb", in the head of the file
+constexpr std::int64_t applicationId = 0x44744c62;  // "DtLb", stored in the header of the file
 
 const char* const dropped =
     "DROP TABLE IF EXISTS rating; DROP TABLE IF EXISTS curve; DROP TABLE IF EXISTS switch; DROP TABLE IF "
@@ -35,13 +35,14 @@ const char* const fileTable =
     "refused_reason TEXT, "
     "gone INTEGER NOT NULL DEFAULT 0);";
 
-/// Columns before the figures; `file` ties a switch to its file.
+/// Columns before the figures; `file` refers to a switch's file.
 constexpr int firstFigure = 7, figureCount = static_cast<int>(keyFigureCount);
 const std::string switchColumns = "name, unit, run, part, licence, credit, scale_doubtful";
-/// In a table of its own: searches of figures read no curves, comparisons of curves read nothing else.
+/// Curves are in a separate table: searches for figures do not read curves, and comparisons of curves read
+/// nothing else.
 const std::string curveColumns = "travel_mm, press, release";
 
-/// ", peak_force_N, ..." for each figure, with words before and behind its name.
+/// ", peak_force_N, ..." for each figure, with given text before and after its name.
 std::string figureColumns(const std::string& before = "", const std::string& behind = "") {
   std::string columns;
   for (const KeyFigureName& name : keyFigureNames())
@@ -62,14 +63,14 @@ std::string switchTable() {
 
 const char* const curveTable =
     "CREATE TABLE curve (switch INTEGER PRIMARY KEY, travel_mm REAL NOT NULL, press BLOB NOT NULL, release "
-    "BLOB NOT NULL); CREATE INDEX curve_travel ON curve (travel_mm);";  // who asks for travels reads no curves
+    "BLOB NOT NULL); CREATE INDEX curve_travel ON curve (travel_mm);";  // travels can be read without curves
 
 const char* const ratingTable =
     "CREATE TABLE rating (id INTEGER PRIMARY KEY, file INTEGER NOT NULL, name TEXT NOT NULL, maker TEXT NOT "
     "NULL, "
     "licence TEXT NOT NULL, credit TEXT NOT NULL, scores TEXT NOT NULL);";
 
-/// A line for each: what, a tab, how much. Headings have neither.
+/// One line per score: name, tab, value. Headings contain neither tab nor line end.
 std::string textOf(const std::vector<std::pair<std::string, double>>& scores) {
   std::string text;
   for (const auto& [what, score] : scores)
@@ -89,7 +90,7 @@ std::vector<std::pair<std::string, double>> scoresIn(std::string_view text) {
   return scores;
 }
 
-/// Forces as the file has them, whatever the processor: 32-bit IEEE numbers, the lowest byte first.
+/// Forces as stored in the file on any processor: 32-bit IEEE numbers, lowest byte first.
 std::string packed(const std::vector<float>& forces) {
   std::string bytes;
   bytes.reserve(4 * forces.size());
@@ -100,7 +101,7 @@ std::string packed(const std::vector<float>& forces) {
   return bytes;
 }
 
-/// Into `forces`, whose memory is used again.
+/// Unpacks forces, reusing the memory of `forces`.
 void unpack(std::string_view bytes, std::vector<float>& forces) {
   forces.resize(bytes.size() / sizeof(float));
   if constexpr (std::endian::native == std::endian::little) {
@@ -131,8 +132,8 @@ KeyFigures figuresIn(const Statement& row, int first) {
   return figures;
 }
 
-/// A row's curveColumns from `first` on, into `shape`, whose memory is used again. Throws DatabaseFault where
-/// they are no whole curve.
+/// Reads a row's curveColumns from column `first` on into `shape`, reusing its memory. Throws DatabaseFault
+/// if the curve is incomplete.
 void readShape(const Statement& row, int first, FeltShape& shape) {
   shape.travel_mm = row.real(first).value_or(0);
   unpack(row.view(first + 1), shape.press_N);
@@ -140,7 +141,7 @@ void readShape(const Statement& row, int first, FeltShape& shape) {
   if (!isWhole(shape)) throw DatabaseFault{SQLITE_CORRUPT, "the curve of a switch is not whole"};
 }
 
-/// Columns that `switchIn` reads; sources of it: `switchTables`.
+/// Columns that `switchIn` reads, from `switchTables`.
 std::string rowColumns() {
   return switchColumns + figureColumns() + sigmaColumns() + ", path, sha256, version, " + curveColumns;
 }
@@ -166,7 +167,7 @@ LibrarySwitch switchIn(const Statement& row) {
   return each;
 }
 
-/// Of files that are there, within ranges.
+/// Condition: the file is present and the figures are within the ranges.
 std::string whereWithin(const std::vector<FigureRange>& ranges) {
   std::string sql = " WHERE file.gone = 0";
   for (const FigureRange& range : ranges)
@@ -208,7 +209,7 @@ bool isDamage(const DatabaseFault& fault) {
   return fault.code == SQLITE_CORRUPT || fault.code == SQLITE_NOTADB;
 }
 
-/// Kind of a file by its first bytes.
+/// Kind of a file, determined by its first bytes.
 enum class FileKind { none, library, otherDatabase, other };
 
 FileKind fileKindOf(const std::string& path) {
@@ -223,7 +224,7 @@ FileKind fileKindOf(const std::string& path) {
   return id == applicationId ? FileKind::library : FileKind::otherDatabase;
 }
 
-/// A name beside the file that nothing has yet.
+/// An unused file name beside the given one.
 fs::path asideOf(const std::string& path) {
   fs::path aside = path + ".damaged";
   std::error_code error;
@@ -241,7 +242,7 @@ void makeTables(Database& database) {
   database.run(("PRAGMA user_version = " + std::to_string(libraryVersion)).c_str());
 }
 
-/// Opens or makes the tables; says what was emptied.
+/// Opens or creates the tables; returns a message if an existing library was emptied.
 Message prepareTables(Database& database) {
   if (database.text("PRAGMA quick_check(1)") != "ok")
     throw DatabaseFault{SQLITE_CORRUPT, "its pages do not fit together"};
@@ -264,7 +265,7 @@ Result<Message> movedAside(const std::string& path, const std::string& why) {
     return Failure{FailureCode::wrongUsage, path, "",
                    Message("it is damaged and cannot be moved aside: %1", error.message()),
                    "Pass another --db"};
-  fs::remove(path + "-journal", error);  // of a database that is no more
+  fs::remove(path + "-journal", error);  // the journal of a database that no longer exists
   return Message("it was damaged (%1): made anew from the folders given, the damaged one is kept as %2", why,
                  aside.filename().string());
 }
@@ -285,7 +286,7 @@ std::optional<Failure> notForALibrary(const std::string& path) {
   if (kind == FileKind::otherDatabase)
     return Failure{FailureCode::wrongUsage, path, "", "it is a database of another program", advice};
   if (kind == FileKind::other &&
-      !isNamedDatabase(path))  // a damaged library is moved aside, somebody's text is not
+      !isNamedDatabase(path))  // a damaged library is moved aside, but a file of another kind is not
     return Failure{FailureCode::wrongUsage, path, "", "it is no library", advice};
   return {};
 }
@@ -297,7 +298,7 @@ struct LibraryStore::Impl {
   Database database;
   Message rebuilt = {};
 
-  /// Result of `work`; faults of the database become a Failure.
+  /// Runs `work`; faults of the database become a Failure.
   template <class Work>
   auto guarded(Work work) -> Result<decltype(work())> {
     try {
@@ -348,7 +349,7 @@ Result<LibraryStore> LibraryStore::openToRead(const std::string& path) {
     if (version != libraryVersion)
       return Failure{FailureCode::unreadableInput, path, "",
                      Message("it is of version %1, this program's is %2", version, libraryVersion), advice};
-    impl->database.run("BEGIN");  // all that is read is of one moment
+    impl->database.run("BEGIN");  // all reads see the state at one moment
     return LibraryStore(std::move(impl));
   } catch (const DatabaseFault& fault) {
     return failureOf(fault, path);
@@ -482,7 +483,7 @@ Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<Figu
     bindRanges(row, ranges);
     std::vector<LibrarySwitch> found;
     while (row.step()) found.push_back(switchIn(row));
-    // Not by SQLite, which would carry every curve through a file on the disk.
+    // Sorted here, because SQLite would write every curve to a temporary file for sorting.
     std::ranges::sort(found, byName);
     return found;
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The library on the disk: an SQLite file that is whole whatever happens to who writes it.
+// The library on disk: an SQLite file that stays intact if a writing process dies.
 
 #include <cstdint>
 #include <functional>
@@ -37,7 +37,7 @@ struct FileStamp {
   std::int64_t looked_ns = 0;
 };
 
-/// One file with what came of it: switches, ratings, or a refusal.
+/// The result of reading one file: switches, ratings, or a refusal.
 struct LibraryFile {
   std::string path;  ///< absolute
   FileStamp stamp;
@@ -55,7 +55,7 @@ struct KnownFile {
   bool gone = false;
 };
 
-/// Bounds that a figure has to keep, both included. A switch without the figure keeps none.
+/// Bounds of a figure, both included. A switch without the figure is outside.
 struct FigureRange {
   KeyFigure figure = KeyFigure::peakForce;
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ struct FigureRange {
 /// A row's place in the file, as long as the store is open to read.
 using SwitchId = std::int64_t;
 
-/// The order of names; one name's by file and part.
+/// Sorts by name; equal names by file and part.
 bool byName(const LibrarySwitch& a, const LibrarySwitch& b);
 
 /// One open library. One thread; any number of processes.
@@ -73,8 +73,8 @@ class LibraryStore {
   /// Creates the file if there is none. Empties a file of another version and moves a damaged one aside; see
   /// `rebuilt`. Failure wrongUsage: a folder, a database of another program, or a file that is no database.
   static Result<LibraryStore> openToWrite(const std::string& path);
-  /// All queries see one moment: a writer waits until it is gone. Failure unreadableInput: missing, damaged,
-  /// of another version.
+  /// All queries see the state at the time of opening; a writer waits until the store is closed. Failure
+  /// unreadableInput: missing, damaged, of another version.
   static Result<LibraryStore> openToRead(const std::string& path);
   LibraryStore(LibraryStore&&) noexcept;
   LibraryStore& operator=(LibraryStore&&) noexcept;
@@ -83,21 +83,22 @@ class LibraryStore {
   /// The reason why the file was rebuilt; empty if it was not.
   const Message& rebuilt() const;
   Result<std::map<std::string, KnownFile>> files() const;
-  /// Replaces what was known of the paths of these files. Writes all of them or, on a Failure, none.
+  /// Replaces the stored data of these files. Writes all of them or, on a Failure, none.
   Result<Done> put(const std::vector<LibraryFile>& files);
-  /// Files that are as they were known but for their stamp, and files that are gone. All or none.
+  /// Updates unchanged files whose stamp differs, and marks files that no longer exist. Writes all or, on a
+  /// Failure, none.
   Result<Done> restamp(const std::vector<std::pair<std::string, FileStamp>>& same,
                        const std::vector<std::string>& gone);
-  /// Switches of present files, by name; those that keep every range.
+  /// Switches of present files that satisfy every range, by name.
   Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
-  /// These, in this order.
+  /// The switches with these ids, in this order.
   Result<std::vector<LibrarySwitch>> switchesOf(const std::vector<SwitchId>& ids) const;
   /// Ids of the result of `switches`, without reading it.
   Result<std::vector<SwitchId>> idsByName(const std::vector<FigureRange>& ranges) const;
-  /// Travel of the switches that keep every range (FeltShape::travel_mm), without reading curves; in no
-  /// order.
+  /// Travel of the switches that satisfy every range (FeltShape::travel_mm), without reading curves; in no
+  /// particular order.
   Result<std::vector<std::pair<SwitchId, double>>> travels_mm(const std::vector<FigureRange>& ranges) const;
-  /// Passes their curves, in this order, to `take` until it returns false.
+  /// Passes the shapes of these switches to `take`, in this order, until it returns false.
   Result<Done> shapesOf(const std::vector<SwitchId>& ids,
                         const std::function<bool(SwitchId, const FeltShape&)>& take) const;
   /// Figures of all present files, in no order.

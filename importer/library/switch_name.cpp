@@ -45,7 +45,7 @@ bool isMark(const std::string& word) {
          (word.size() == 1 && ((word[0] >= 'a' && word[0] <= 'z') || (word[0] >= 'A' && word[0] <= 'Z')));
 }
 
-/// Takes "sample 2" out of the words, wherever it stands behind the first word; gives the mark.
+/// Removes "sample 2" from the words, anywhere behind the first word, and returns the mark.
 template <std::size_t count>
 std::string takeMark(std::vector<std::string>& words, const std::array<std::string_view, count>& kinds) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
@@ -58,7 +58,7 @@ std::string takeMark(std::vector<std::string>& words, const std::array<std::stri
   return {};
 }
 
-/// "Sony_BKE_Gray_02": unit 02 of it, where a number stands behind a nought.
+/// "Sony_BKE_Gray_02": unit 02. The number must begin with a zero.
 std::string takeNumberedUnit(std::vector<std::string>& words) {
   if (words.size() < 2 || words.back().size() != 2 || words.back()[0] != '0' || !isMark(words.back()))
     return {};
@@ -67,7 +67,7 @@ std::string takeNumberedUnit(std::vector<std::string>& words) {
   return mark;
 }
 
-/// "Clickiez 2" in a folder "Clickiez": unit 2 of what the folder is called.
+/// "Clickiez 2" in a folder "Clickiez": unit 2 of the switch that the folder names.
 std::string takeUnitOfFolder(std::vector<std::string>& words, const std::vector<std::string>& folder) {
   if (folder.empty() || words.size() != folder.size() + 1 || !isMark(words.back())) return {};
   const auto same = [](const std::string& a, const std::string& b) { return lowered(a) == lowered(b); };
@@ -83,18 +83,18 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Without the words at its end that only say what the file is.
+/// Removes words at the end that only describe the kind of file.
 void dropFileWords(std::vector<std::string>& words) {
   while (!words.empty() && among(fileWords, lowered(words.back()))) words.pop_back();
 }
 
-/// "Maker Model__Maker Model Raw Data CSV": what stands last is the switch.
+/// "Maker Model__Maker Model Raw Data CSV": the last part names the switch.
 std::string_view lastPart(std::string_view stem) {
   const std::size_t at = stem.rfind("__");
   return at == std::string_view::npos || at + 2 == stem.size() ? stem : stem.substr(at + 2);
 }
 
-/// The part before that, or the folder: "Maker Model".
+/// The part before the last one, or the folder: "Maker Model".
 std::string folderPart(std::string_view stem, const std::filesystem::path& path) {
   const std::size_t at = stem.rfind("__");
   return at == std::string_view::npos ? path.parent_path().filename().string()

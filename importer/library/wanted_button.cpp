@@ -11,7 +11,7 @@
 namespace detent::importer {
 namespace {
 
-/// One lab noise of a figure: its force, or a value that costs as much in FeelDistance.
+/// The size of one lab noise for a figure: its force, or a value that costs as much in FeelDistance.
 double noiseOf(FigureUnit unit) {
   const double noise_N = labNoise_gf * newtonsPer(ForceUnit::gramForce);
   const double noise_mm = labNoise_gf / FeelWeights{}.travel_gf_per_mm;
@@ -21,7 +21,7 @@ double noiseOf(FigureUnit unit) {
     case FigureUnit::N:
       return noise_N;
     case FigureUnit::N_per_mm:
-      return noise_N / 0.5;  // over half a millimetre, as from peak to valley
+      return noise_N / 0.5;  // over half a millimetre, the distance from peak to valley
     case FigureUnit::mJ:
       return noise_N * 4;  // over the 4 mm of a key switch
     case FigureUnit::share:
@@ -34,7 +34,7 @@ double nearestIn(const FigureRange& range, double value) { return std::clamp(val
 
 const KeyFigureName& nameOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)]; }
 
-/// A bound, from inside by a hair where there is room, so that solving to a tolerance keeps it.
+/// A target at a bound, slightly inside the range, so that a solution within tolerance satisfies the range.
 FigureTarget targetIn(const FigureRange& range, double value) {
   const double hair = std::min(1e-3, (range.high - range.low) / 2);
   const double bound = nearestIn(range, value);
@@ -43,7 +43,7 @@ FigureTarget targetIn(const FigureRange& range, double value) {
   return {range.figure, bound};
 }
 
-/// Within what a target is met to.
+/// Returns true if a value is in the range, within the tolerance of targets.
 bool keeps(const FigureRange& range, double value) {
   constexpr double tolerance = 2e-4;  // N, mm, N/mm, mJ or a share
   return value >= range.low - tolerance && value <= range.high + tolerance;
@@ -82,7 +82,7 @@ Result<Button> buttonWithin(const Button& button, const std::vector<FigureRange>
       added = true;
     }
     if (!added) return bent;
-    // Always from the button itself: the least change of it, not of what an earlier round made of it.
+    // Always starts from the original button, so that its total change is the least possible.
     TargetOutcome outcome = bentToTargets(button, 0, targets);
     if (!outcome.button) {
       Failure failure = std::move(outcome.conflict->failure);

@@ -22,7 +22,7 @@ constexpr int subPixelBits = 4;
 constexpr double subPixel = 1 << subPixelBits;
 constexpr double keptContrast = 0.45;  // contrast that the page keeps
 
-/// Draws in view pixels on a picture enlarged by `scale`; one that was followed in a mirror is shown as it
+/// Draws in view pixels on a picture enlarged by `scale`. A graph that was traced mirrored is drawn as it
 /// stands on the page.
 class Canvas {
  public:
@@ -32,7 +32,7 @@ class Canvas {
         last_px_{view.raster.width_px - 1.0, view.raster.height_px - 1.0} {
     const Raster& page = view.raster;
     const cv::Mat source(page.height_px, page.width_px, CV_8UC3, const_cast<std::uint8_t*>(page.rgb.data()));
-    // Pale: what we drew must stand out. Before it is enlarged, while there are fewer pixels.
+    // The page is paled so that the drawing stands out; before the enlargement, while there are fewer pixels.
     cv::Mat pale;
     source.convertTo(pale, CV_8U, keptContrast, 255 * (1 - keptContrast));
     cv::resize(pale, picture_, {}, scale, scale, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
@@ -79,7 +79,7 @@ class Canvas {
   }
   cv::Point fine(Point in_view) const {
     const Point p = onPage(in_view);
-    const double limit = 30000;  // OpenCV's fixed-point lines overflow beyond
+    const double limit = 30000;  // beyond this OpenCV's fixed-point lines overflow
     return {static_cast<int>(std::lround(std::clamp(enlarged(p.x), -limit, limit) * subPixel)),
             static_cast<int>(std::lround(std::clamp(enlarged(p.y), -limit, limit) * subPixel))};
   }
@@ -96,7 +96,7 @@ std::string shortNumber(double value) {
   return text;
 }
 
-/// The fitted curve in view pixels: every piece sampled, vertical rises as they are.
+/// The fitted curve in view pixels: every piece sampled, vertical rises included.
 std::vector<Point> curveInView(const StrokeCurve& curve, const AxisCalibration& calibration) {
   constexpr int samplesPerPiece = 24;
   std::vector<Point> points_px;
@@ -145,9 +145,9 @@ void drawStroke(Canvas& canvas, const StrokeCurve& curve, Stroke stroke, const S
   }
 }
 
-/// The page with what every import finds on it, refused or not.
+/// The page with what every import, even a refused one, finds on it.
 Canvas canvasOf(const GraphEvidence& evidence) {
-  // Small pictures are enlarged, huge ones are not grown further.
+  // Small pictures are enlarged; huge ones keep their size.
   const double width = evidence.view.raster.width_px;
   const double scale = std::clamp(std::round(1800 / std::max(width, 1.0)), 1.0, 4.0);
   Canvas canvas(evidence.view, scale);

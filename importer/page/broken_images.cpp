@@ -24,7 +24,7 @@ struct ObjectSearch {
 
 bool firstVisit(ObjectSearch& search, pdf_obj* object) {
   const int number = pdf_to_num(search.context, object);
-  if (number == 0) return true;  // a direct object cannot be reached twice, nor lie in a circle
+  if (number == 0) return true;  // a direct object cannot be reached twice or be part of a cycle
   for (std::size_t i = 0; i < search.count; ++i)
     if (search.seen[i] == number) return false;
   if (search.count == mostObjects) return false;
@@ -40,7 +40,8 @@ bool loads(ObjectSearch& search, pdf_obj* object) {
   });
 }
 
-/// MuPDF passes over objects of the kind PS (PostScript for printers), as every viewer does.
+/// Marks an image so that MuPDF skips it: like every viewer it ignores objects of the kind PS (PostScript for
+/// printers).
 void leaveOut(ObjectSearch& search, pdf_obj* object) {
   std::string ignored;
   if (guarded(search.context, ignored, [&] {

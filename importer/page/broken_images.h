@@ -6,9 +6,9 @@
 
 namespace detent::importer {
 
-/// Takes the images that MuPDF cannot load out of what this page of a PDF draws, its forms and patterns
-/// included. Meant for a page that failed to be interpreted: loading an image may decode it. Changes the
-/// document in memory, for all its pages. Returns how many images were taken out; 0 too if this is no PDF.
+/// Removes images that MuPDF cannot load from the drawing of this PDF page, including its forms and patterns.
+/// Only for a page that could not be interpreted, because loading an image may mean decoding it. Changes the
+/// document in memory, for all its pages. Returns the number of removed images; 0 also if this is no PDF.
 /// Examines at most 4096 objects.
 int leaveOutBrokenImages(fz_context* context, fz_page* page);
 

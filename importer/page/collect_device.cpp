@@ -20,7 +20,7 @@ Affine toAffine(const fz_matrix& m) { return {m.a, m.b, m.c, m.d, m.e, m.f}; }
 
 double expansion(const Affine& m) { return std::sqrt(std::abs(m.a * m.d - m.b * m.c)); }
 
-constexpr Box unitSquare{0, 0, 1, 1};  // where MuPDF draws an image before its map
+constexpr Box unitSquare{0, 0, 1, 1};  // the square into which MuPDF draws an image before applying its map
 
 /// Nothing if a point is not finite.
 std::optional<Box> finiteBox(const std::vector<std::vector<Point>>& polylines) {
@@ -55,7 +55,8 @@ struct Paint {
   double alpha = 1;
 };
 
-/// The C++ side of the device: keeps the state that decides what is visible. Throws only C++ exceptions.
+/// The C++ part of the device: keeps the graphics state that decides what is visible. Throws only C++
+/// exceptions.
 class Collector {
  public:
   Collector(const Box& bounds, CollectedPage* page, CollectControl* control)
@@ -63,7 +64,7 @@ class Collector {
 
   CollectControl& control() { return *control_; }
 
-  /// Every device call passes here; false: the page asks for too much, or somebody wants us to stop.
+  /// Called at the start of every device call; false: the page exceeds a limit, or a stop was requested.
   bool mayGoOn() {
     if (control_->stop != CollectStop::none) return false;
     ++operations_;
@@ -122,7 +123,7 @@ class Collector {
     return true;
   }
 
-  /// `exact`: the clip is this box, not only inside of it.
+  /// `exact`: the clip is exactly this box, not an area inside it.
   void pushClip(const Box& box, bool exact) {
     clips_.push_back(clips_.back().common(box));
     exactClips_.push_back(exactClips_.back() && exact);
@@ -160,14 +161,14 @@ class Collector {
     pushUnknownClip();
   }
 
-  /// Cells of one step each that begin within an extent, and one more; without end where the step is none. An
-  /// area turned inside out has no extent.
+  /// Number of cells that begin within an extent, plus one; infinite for a step of 0. An inverted area has no
+  /// extent.
   static double cellsAlong(double extent, double step) {
     return step != 0 ? std::max(0.0, extent) / std::abs(step) + 1 : std::numeric_limits<double>::infinity();
   }
 
-  /// False: more cells than a page may draw objects. They are one object to MuPDF, which does not ask its
-  /// cookie between them.
+  /// Returns false if the tile has more cells than a page may draw objects. For MuPDF all cells are one
+  /// object, between which it does not check its cookie.
   bool beginTile(const Box& area, const Box& cell, double stepX, double stepY, const fz_matrix& matrix) {
     const double cells = cellsAlong(area.width(), stepX) * cellsAlong(area.height(), stepY);
     if (!(cells <= static_cast<double>(control_->maxOperations))) return halt(CollectStop::tooManyOperations);
@@ -207,7 +208,7 @@ class Collector {
   }
 
   void noteFilled(const std::vector<std::vector<Point>>& polylines, const Paint& paint) {
-    constexpr double leastSide = 6;  // page units: smaller areas are no background of a letter
+    constexpr double leastSide = 6;  // page units: smaller areas cannot be the background of a letter
     const auto whole = finiteBox(polylines);
     if (!whole) return;
     const Box box = whole->common(clips_.back());
@@ -260,7 +261,8 @@ class Collector {
     return filled.fill && !filled.stroke && filled.polylines == stroked.polylines;
   }
 
-  /// Producers wrap whole drawings into a pattern of one cell; fine hatching stays with its one cell.
+  /// Some programs wrap a whole drawing into a pattern of one cell; it is repeated. Fine hatching keeps its
+  /// single cell.
   void repeatTile(const Tile& tile) {
     constexpr double maxCopies = 64;  // of one tile
     const double stepX = std::abs(tile.stepX), stepY = std::abs(tile.stepY);
@@ -294,7 +296,7 @@ class Collector {
     }
   }
 
-  /// Notes the clip in force if it cuts the path. False: nothing of it is left.
+  /// Notes the clip in force if it cuts the path. Returns false if the path is completely outside.
   bool clipped(VectorPath& path) const {
     const Box& clip = clips_.back();
     path.clip.reset();
@@ -324,7 +326,8 @@ struct CollectDevice {
 
 CollectDevice& self(fz_device* device) { return *reinterpret_cast<CollectDevice*>(device); }
 
-/// Runs C++ code inside a callback. C++ exceptions end here; the longjmp starts when all objects are gone.
+/// Runs C++ code inside a callback. C++ exceptions end here; the longjmp happens after all objects were
+/// destroyed.
 template <class Body>
 void inCollector(fz_context* context, fz_device* device, Body body) {
   Collector* collector = self(device).collector;
@@ -352,7 +355,8 @@ Paint toPaint(fz_context* context, fz_colorspace* space, const float* color, flo
   return {{byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}, alpha};
 }
 
-/// Notes the letters of a text as they stand on the page. `color` of what clips is not known: grey.
+/// Notes the letters of a text at their places on the page. The colour of a text used as a clip is unknown:
+/// grey.
 void noteLetters(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
                  const Paint& paint, bool drawn) {
   constexpr float below_em = -0.1f, above_em = 0.75f;
@@ -453,7 +457,7 @@ void setCallbacks(fz_device& base) {
                             fz_rect scissor) {
     const Box box = toAffine(matrix).boxOf(unitSquare);
     inCollector(context, device, [&](Collector& c) {
-      if (!c.image(image, matrix, 0)) return false;  // only its size is of interest here
+      if (!c.image(image, matrix, 0)) return false;  // only the image's size is needed here
       c.pushClip(box, false);
       return true;
     });
@@ -485,7 +489,7 @@ void setCallbacks(fz_device& base) {
                        float stepY, fz_matrix matrix, int) {
     inCollector(context, device,
                 [&](Collector& c) { return c.beginTile(toBox(area), toBox(view), stepX, stepY, matrix); });
-    // The recorder would answer "known already" for a repeated id; the paths are wanted each time.
+    // With a repeated id the recorder would answer "already known", but the paths are needed each time.
     fz_begin_tile(context, self(device).recorder, area, view, stepX, stepY, matrix);
     return 0;
   };

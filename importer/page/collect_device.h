@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A MuPDF device that notes paths and images of a page while it records the page for later rendering.
+// A MuPDF device that collects the paths and images of a page while it records the page for later rendering.
 // Private to importer/page.
 
 #include <vector>
@@ -35,7 +35,7 @@ enum class CollectStop {
   outOfMemory
 };
 
-/// Bounds on what one page may ask for, and where the device says that it was stopped.
+/// Limits of one page, and the reason if the device stopped.
 struct CollectControl {
   std::size_t maxPathPoints = 0;
   std::size_t maxOperations = 0;

@@ -25,13 +25,13 @@ Span touched(double low, double high, int size) {
   return {static_cast<int>(first), static_cast<int>(last)};
 }
 
-/// Catmull-Rom weights of the four pixels around a place `t` behind the second.
+/// Catmull-Rom weights of four neighbouring pixels for a place at distance `t` behind the second.
 std::array<double, 4> cubicWeights(double t) {
   return {t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
           t * t * (-0.5 + 0.5 * t)};
 }
 
-/// Per channel the median of the raster's rim.
+/// Median colour of the raster's border, per channel.
 Rgb rimColor(const Raster& r) {
   std::array<std::vector<std::uint8_t>, 3> rim;
   const auto add = [&](int x, int y) {

@@ -20,8 +20,8 @@ std::optional<PixelRect> touchedPixels(const Box& region, int width_px, int heig
 /// Copy of a rectangle, turned clockwise by quarterTurns * 90°. `rect` lies inside the raster (checked).
 Raster turnedCrop(const Raster& raster, const PixelRect& rect, int quarterTurns);
 
-/// A raster of the given size whose pixels lie at `toSource` of another's, bicubic (Catmull-Rom); where that has none, in
-/// the commonest colour of its rim.
+/// A raster of the given size. `toSource` maps its pixels to those of `source`, which is interpolated
+/// bicubically (Catmull-Rom). Pixels outside of `source` get the most frequent colour of its border.
 Raster resampled(const Raster& source, const Homography& toSource, int width_px, int height_px);
 
 /// Map from the turned crop's pixels back to the raster's.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BMP, by MuPDF.
+// Decodes BMP with MuPDF.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 namespace detent::importer {
 namespace {
 
-/// Takes MuPDF's pixels over, whose colours are multiplied by alpha.
+/// Copies MuPDF's pixels and divides their colours by alpha.
 void takePixels(const unsigned char* samples, std::ptrdiff_t stride, StoredPicture& picture) {
   for (int y = 0; y < picture.height_px; ++y) {
     std::copy_n(samples + stride * y, 4 * static_cast<std::size_t>(picture.width_px), picture.row(y));
@@ -28,7 +28,7 @@ OpenedSource openBmpSource(const SourceFile& file) { return openPictureSource(fi
 
 std::optional<StoredPicture> decodeBmp(std::span<const unsigned char> bytes, int width, int height) {
   StoredPicture picture(width, height);
-  constexpr std::size_t others = std::size_t{64} << 20;  // bytes, besides the file and its pixels
+  constexpr std::size_t others = std::size_t{64} << 20;  // bytes, beyond the file and its pixels
   const MupdfContext owner(bytes.size() + 2 * picture.rgba.size() + others);
   fz_context* const context = owner.get();
   if (context == nullptr) return {};

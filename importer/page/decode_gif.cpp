@@ -12,7 +12,7 @@ namespace detent::importer {
 
 namespace {
 
-/// Bytes of the file that giflib has not read yet.
+/// The bytes that giflib has not read yet.
 struct UnreadGif {
   std::span<const unsigned char> bytes;
 };
@@ -32,7 +32,8 @@ using Gif = std::unique_ptr<GifFileType, CloseGif>;
 
 constexpr int kOpaque = NO_TRANSPARENT_COLOR;
 
-/// Reads an extension's blocks; the transparent colour's number from a graphics control block, else `before`.
+/// Reads an extension's blocks. Returns the index of the transparent colour from a graphics control block,
+/// else `before`.
 std::optional<int> transparentAfter(GifFileType* gif, int before) {
   int code = 0;
   GifByteType* block = nullptr;
@@ -59,7 +60,7 @@ std::vector<int> rowsAsStored(int height, bool interlaced) {
   return rows;
 }
 
-/// The picture at hand, laid into `picture` where it belongs. False: damaged.
+/// Copies the current image to its place in `picture`. Returns false if it is damaged.
 bool readImage(GifFileType* gif, int transparent, StoredPicture& picture) {
   const GifImageDesc& place = gif->Image;
   const ColorMapObject* const colors = place.ColorMap != nullptr ? place.ColorMap : gif->SColorMap;
@@ -87,7 +88,7 @@ std::optional<StoredPicture> decodeGif(std::span<const unsigned char> bytes, int
   const Gif gif(DGifOpen(&unread, readSome, nullptr));
   if (!gif || gif->SWidth != width || gif->SHeight != height) return {};
   StoredPicture picture(width, height);
-  // Pixels outside the picture stay transparent.
+  // Pixels outside the image stay transparent.
   for (std::size_t i = 3; i < picture.rgba.size(); i += 4) picture.rgba[i] = 0;
   picture.hasAlpha = true;
   int transparent = kOpaque, images = 0;
@@ -98,7 +99,7 @@ std::optional<StoredPicture> decodeGif(std::span<const unsigned char> bytes, int
       if (!after) return {};
       transparent = *after;
     } else if (record == IMAGE_DESC_RECORD_TYPE) {
-      // A film shows a graph that grows; which picture of it is the whole one is not known.
+      // An animation may show a growing graph, and which of its images is complete is unknown.
       if (++images > 1 || DGifGetImageDesc(gif.get()) == GIF_ERROR) return {};
       if (!readImage(gif.get(), transparent, picture)) return {};
     }

@@ -11,7 +11,8 @@ namespace detent::importer {
 namespace {
 
 struct ErrorExit {
-  jpeg_error_mgr manager;  // first, so that libjpeg's pointer to it is one to this
+  // the first member, because libjpeg's pointer to it is converted to a pointer to this struct
+  jpeg_error_mgr manager;
   std::jmp_buf back;
 };
 
@@ -21,7 +22,7 @@ struct ErrorExit {
 void ignoreJpegMessage(j_common_ptr) {}
 void ignoredLevel(j_common_ptr, int) {}
 
-/// Converts a row of Adobe's CMYK, which is stored inverted: colour and black multiply.
+/// Converts a row of Adobe's CMYK, which is stored inverted: colour and black are multiplied.
 void fromCmyk(const JSAMPLE* from, std::uint8_t* to, int width) {
   for (int x = 0; x < width; ++x, from += 4, to += 4)
     for (int c = 0; c < 3; ++c) to[c] = static_cast<std::uint8_t>(from[c] * from[3] / 255);
@@ -31,8 +32,8 @@ void fromRgb(const JSAMPLE* from, std::uint8_t* to, int width) {
   for (int x = 0; x < width; ++x, from += 3, to += 4) to[0] = from[0], to[1] = from[1], to[2] = from[2];
 }
 
-/// The pixels that share one colour (4:2:0, 4:2:2), where they are more than one and not more than a view
-/// averages anyway (docs/develop/decisions/0300-page-views-and-large-pictures.md).
+/// The block of pixels that share one colour (4:2:0, 4:2:2), if there is more than one pixel and no more than
+/// a view averages anyway (docs/develop/decisions/0300-page-views-and-large-pictures.md).
 std::optional<ColourBlock> sharedColour(const jpeg_decompress_struct& jpeg) {
   constexpr double averaged_px = 16e6;
   if (jpeg.jpeg_color_space != JCS_YCbCr || jpeg.num_components != 3) return {};

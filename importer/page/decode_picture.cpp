@@ -40,7 +40,7 @@ struct Step {
 /// border on transparency show for which background the picture was made; the inside of an opaque white plot
 /// area does not.
 std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
-  constexpr int reach = 1;  // with 2, pixels behind a soft rim would count as rim
+  constexpr int reach = 1;  // with 2, pixels behind a soft rim would count as part of the rim
   for (const Step step : {Step{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
     const int nx = x + step.dx, ny = y + step.dy;
     if (nx >= 0 && ny >= 0 && nx < in.width_px && ny < in.height_px && pixelAt(in, nx, ny).alpha < 32)
@@ -49,7 +49,7 @@ std::optional<Step> towardsTransparency(const StoredPicture& in, int x, int y) {
   return {};
 }
 
-/// Returns true if a plot's background lies behind a rim: one shade, farther inwards than a line is thick.
+/// Returns true if a plot's background lies behind a rim: one shade over more than the thickness of a line.
 bool isBackground(const StoredPicture& in, int x, int y, Step outwards, double shade) {
   constexpr int thick = 12;  // px
   const int nx = x - thick * outwards.dx, ny = y - thick * outwards.dy;
@@ -86,7 +86,8 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
                  isBehind = isBackground(in, x, y, *outwards, behind);
       if (isBehind && !soft) continue;  // a plot's edge without a line
       if (soft && !isBehind) {
-        // Smoothed against a background that was cut away later: its shade is left at the rims of every line.
+        // The picture was antialiased against a background that was removed later: its shade remains at the
+        // rims of all lines.
         (own > behind ? lostOnBlack : lostOnWhite) += 1;
         continue;
       }
@@ -97,8 +98,7 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
   return lostOnWhite > lostOnBlack ? 0 : 255;
 }
 
-/// Where the pixel that is shown at (0,0) is stored, and how far to go per column and row. EXIF
-/// orientation 1..8.
+/// Index of the stored pixel that is shown at (0,0), and steps per column and row. EXIF orientation 1..8.
 struct StoredOrder {
   bool swapped = false, flipX = false, flipY = false;
 };
@@ -124,7 +124,8 @@ bool isSeeThrough(const StoredPicture& in) {
   return false;
 }
 
-/// Upright as stored: in the memory of the stored picture, which is most of what a large one takes.
+/// Composes the picture onto its background within the memory of the stored picture, because a large picture
+/// takes most of the memory.
 Raster flattenedInPlace(StoredPicture in, bool opaque, std::uint8_t background) {
   const std::uint8_t* from = in.rgba.data();
   std::uint8_t* to = in.rgba.data();

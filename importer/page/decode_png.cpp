@@ -16,7 +16,7 @@ std::optional<StoredPicture> decodePng(std::span<const unsigned char> bytes, int
   StoredPicture picture(width, height);
   picture.hasAlpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   png.format = PNG_FORMAT_RGBA;
-  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits are graded as 8 bits are
+  png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16-bit values have the same gamma as 8-bit ones
   if (png_image_finish_read(&png, nullptr, picture.rgba.data(), 0, nullptr) == 0) return {};
   return picture;
 }

@@ -12,7 +12,7 @@
 namespace detent::importer {
 namespace {
 
-/// A file in memory, as libtiff's callbacks see it.
+/// A file in memory for libtiff's callbacks.
 struct Source {
   std::span<const unsigned char> bytes;
   std::uint64_t at = 0;
@@ -41,7 +41,7 @@ toff_t seekTo(thandle_t handle, toff_t offset, int whence) {
 int closeNothing(thandle_t) { return 0; }
 toff_t sizeOf(thandle_t handle) { return static_cast<Source*>(handle)->bytes.size(); }
 
-/// The library would print its own remarks on broken files to stderr.
+/// Otherwise libtiff prints messages about broken files to stderr.
 void silence() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -55,7 +55,7 @@ std::uint8_t level(float value) {
       std::lround(255 * std::clamp(std::isfinite(value) ? value : 0.0F, 0.0F, 1.0F)));
 }
 
-/// 32-bit floating point, grey or RGB, in lines; the library's own reading has none.
+/// Reads 32-bit floating point, grey or RGB, stored in lines, which libtiff's own conversion cannot read.
 bool readFloats(TIFF* tiff, StoredPicture& picture, int channels) {
   if (TIFFIsTiled(tiff) != 0) return false;
   const std::size_t values = static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(channels);
@@ -71,7 +71,7 @@ bool readFloats(TIFF* tiff, StoredPicture& picture, int channels) {
   return true;
 }
 
-/// The library multiplies alpha in.
+/// Divides by alpha, because libtiff multiplies it in.
 void takeAlphaOut(StoredPicture& picture) {
   for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
     const int alpha = picture.rgba[i + 3];

@@ -77,8 +77,9 @@ bool isProbablyText(const Bytes& bytes) {
   return true;
 }
 
-/// Pictures of one format under another's name are read as what they are (browsers save them so); a picture
-/// that calls itself a document, or the reverse, is refused: the name says what the sender meant to give.
+/// Returns true if a file's type contradicts its name. A picture with another picture format's name is
+/// accepted, because browsers save such files. A picture named as a document, or the reverse, is refused: the
+/// name shows what the sender meant.
 bool contradicts(FileKind promised, FileKind actual) {
   if (promised == FileKind::unknown || promised == actual) return false;
   return !(isPicture(promised) && isPicture(actual));
@@ -107,7 +108,7 @@ std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
   return std::nullopt;
 }
 
-/// A drawing that was packed to be smaller, as it was before.
+/// The uncompressed drawing if the file is a compressed one (.svgz); any other file unchanged.
 Result<SourceFile> unpacked(const SourceFile& file) {
   const double most_bytes = file.limits.maxFileMegabytes * 1024 * 1024;
   auto content = gunzip(*file.bytes, static_cast<std::size_t>(std::clamp(most_bytes, 0.0, 1e12)));

@@ -15,7 +15,8 @@ namespace detent::importer {
 /// An open file. Pages are read on demand. One thread at a time.
 class Document {
  public:
-  /// Failure codes: unreadableInput (missing, empty, truncated, lies about its type, encrypted, too large).
+  /// Failure code unreadableInput: missing, empty, truncated, of another type than its name says, encrypted,
+  /// or too large.
   static Result<Document> open(const std::string& path, const PageLimits& limits = {});
   /// The same from memory (pasted pictures, fuzzing); `name` is used in messages.
   static Result<Document> fromBytes(std::vector<unsigned char> bytes, const std::string& name,
@@ -24,10 +25,10 @@ class Document {
   int pageCount() const;
   /// Page numbers count from 1.
   Result<Page> page(int number, const Progress& progress = {}) const;
-  /// Region in page units. `quarterTurns`: how many times the region is turned clockwise by 90° to stand
-  /// upright (0..3). `levelToPage` (pictures only): the region is a box on the sheet that stands level, of which the
-  /// page shows that image; the view's pixels are then interpolated, and of a photograph (a map that is not affine) uneven
-  /// light is divided away.
+  /// Region in page units. `quarterTurns`: clockwise turns by 90° that make the region upright (0..3).
+  /// `levelToPage` (pictures only): maps a levelled sheet to the page; the region is then a box on that
+  /// sheet, and the view's pixels are interpolated. For a photograph (a map that is not affine) uneven light
+  /// is divided out.
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns = 0,
                         const ViewOptions& options = {}, const Homography& levelToPage = {},
                         const Progress& progress = {}) const;

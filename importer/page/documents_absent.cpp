@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Built where DETENT_WITH_MUPDF is off: PDF, SVG and BMP are named, and refused; no words are drawn.
+// For builds without DETENT_WITH_MUPDF: PDF, SVG and BMP are recognised and refused; no words are drawn.
 
 #include "importer/page/drawn_words.h"
 #include "importer/page/page_source.h"

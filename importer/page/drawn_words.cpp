@@ -39,7 +39,7 @@ void drawText(Drawing& d, fz_matrix place) {
   fz_catch(context) fz_rethrow(context);
 }
 
-/// A sign without a letter is drawn as nothing or as a box.
+/// Returns false if a character has no glyph: it would be drawn as nothing or as a box.
 bool hasAllLetters(const fz_text* text) {
   for (const fz_text_span* span = text->head; span != nullptr; span = span->next)
     for (int i = 0; i < span->len; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Words drawn in the fonts that the program carries, to be held against writing that no text engine at hand can read.
+// Draws words in the fonts that the program carries, to compare them with writing that the text engine cannot
+// read.
 
 #include <optional>
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace detent::importer {
 
-/// Black on white, letters as high as `height_px` allows; height in [8, 256], text at most 64 bytes. Empty where the build draws no
-/// text (without MuPDF) or has no letter for one of it.
+/// Black on white, letters as high as `height_px` allows; height in [8, 256], text at most 64 bytes. Empty
+/// where the build draws no text (without MuPDF) or has no letter for one of it.
 std::optional<Raster> wordsDrawn(const std::string& utf8, int height_px);
 
 }  // namespace detent::importer

@@ -17,11 +17,12 @@ namespace {
 
 constexpr int blocksAcross = 48;  // light changes slowly; a block of a plot is mostly paper
 constexpr int smallestBlock_px = 16;
-constexpr double paper = 240;   // what paper becomes: room above it, so that noise is not cut on one side
-constexpr double darkest = 70;  // of the paper, in a sheet that is not itself dark
-constexpr double noPaper =
-    1.15;  // times as light is a neighbour that is; light itself changes less from block to block
-constexpr double sheetShare = 0.25;  // of the picture, at least
+// grey level that paper gets: with room above it, so that noise is not clipped on one side
+constexpr double paper = 240;
+constexpr double darkest = 70;  // least level of paper in a sheet that is not dark itself
+// brightness ratio from which a neighbouring block is lighter; light changes less from block to block
+constexpr double noPaper = 1.15;
+constexpr double sheetShare = 0.25;  // least share of the picture that is paper
 
 using LightColor = std::array<double, 3>;
 

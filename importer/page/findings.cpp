@@ -4,7 +4,7 @@
 namespace detent::importer {
 namespace {
 
-/// The name of a finding in scripts, and the pattern of its words. The tables have the order of the codes.
+/// The name of a finding for scripts, and the pattern of its message. The tables have the order of the codes.
 template <class Code>
 struct Wording {
   Code code;

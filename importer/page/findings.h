@@ -16,10 +16,10 @@ namespace detent::importer {
 /// The steps of an import that take time or give a finding, in flow order.
 enum class ImportStep { read, locate, view, axes, texts, copies, trace, strokes, refine, fit, callouts };
 
-/// "locate": as scripts see it.
+/// Name for scripts: "locate".
 std::string_view nameOf(ImportStep step);
 
-/// From what something was concluded.
+/// Facts that support a conclusion.
 enum class EvidenceCode {
   frameGiven,
   edgesDrawn,           ///< edges drawn (of 4), vertical and horizontal lines or ticks
@@ -28,9 +28,9 @@ enum class EvidenceCode {
   labelsInProgression,  ///< axis, labels in it, numbers read, ticks
   distinguishedByPath,  ///< both strokes are drawn as one loop
   namedByLegend,
-  pressAboveRelease,  ///< share of where they differ
+  pressAboveRelease,  ///< share of the travel where the two curves differ
   oneHigherForce,
-  endsApart,  ///< neither line ends on the other
+  endsApart,  ///< neither curve ends on the other
   pressAlone,
   pressAloneThoughNamedRelease,
   releaseNamedNotSeen,
@@ -39,7 +39,7 @@ enum class EvidenceCode {
   widenedToNumbers,   ///< the labels count on beyond the rectangle of lines
   nameNearly,         ///< requested name, name read
   startUnderAnother,  ///< a stroke's start is hidden by another curve and is assumed to fall with it
-  unitsOfHeading      ///< what stands above the plot and names units that an axis does not
+  unitsOfHeading      ///< the words above the plot that name a unit which an axis lacks
 };
 
 struct EvidenceItem {
@@ -77,19 +77,19 @@ enum class DoubtCode {
   manyTactilePoints,  ///< how many
   endsInAFall,
   cutAtPictureEdge,
-  leavesThePlot,  ///< force at the edge that it goes on beyond, N
+  leavesThePlot,  ///< force at the plot's edge beyond which the curve continues, N
   belowTheAxis,   ///< force at which the axis begins, N
   otherScale,
-  curveLeftOver,     ///< travel and force at the middle of it, mm and N
-  curveOverPaper,    ///< the same
-  readingsDiffer,    ///< messages: the button as read first, as read a second time
+  curveLeftOver,     ///< travel and force at its middle, mm and N
+  curveOverPaper,    ///< travel and force at its middle, mm and N
+  readingsDiffer,    ///< messages: the button of the first reading, and of the second
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover
-  namesNoStroke,     ///< what the one of two curves is called whose name is read
-  otherSwitchNamed,  ///< name of a switch in the legend none of whose strokes was traced
+  namesNoStroke,     ///< name of the only named curve, which is no stroke's name
+  otherSwitchNamed,  ///< name of a switch in the legend of which no stroke was traced
   pageIsScan,
   pageIsPhoto,
-  givenAgainstLegend,  ///< colour given for a stroke, the legend's word for the curve that has it
+  givenAgainstLegend,  ///< given colour of a stroke, and the legend's text for the curve of that colour
   rangeFalls,          ///< numbers that fall along the axis, on a plot that cannot be mirrored
   assumed              ///< message of the evidence
 };
@@ -103,7 +103,7 @@ struct Doubt {
 /// "axes-uncertain".
 std::string_view nameOf(DoubtCode code);
 Message messageOf(const Doubt& doubt);
-/// notCertain, with the doubt's code as its reason.
+/// Failure notCertain, with the doubt's code as its reason.
 Failure failureOf(const Doubt& doubt, Subject subject = {}, Message place = {});
 
 /// A fact about a successful import that the user should know.
@@ -151,7 +151,7 @@ struct Remark {
 /// "several-graphs".
 std::string_view nameOf(RemarkCode code);
 Message messageOf(const Remark& remark);
-/// The message and what helps, as detent-import says it.
+/// The remark's message and remedy, in the words of detent-import.
 std::string commandLineWords(const Remark& remark);
 
 }  // namespace detent::importer

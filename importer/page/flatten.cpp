@@ -47,7 +47,7 @@ void PathFlattener::close() {
   if (current_.empty()) return;
   const Point start = current_.front();
   finish(true);
-  current_.push_back(start);  // what follows without a move begins where the closed one began
+  current_.push_back(start);  // a segment that follows without a move begins where the closed path began
 }
 
 std::vector<std::vector<Point>> PathFlattener::takePolylines() {

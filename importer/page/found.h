@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A finding remembers who decided it, how sure, and from what. Doubt is a confidence, not an error.
+// A value with its origin: found or given, the confidence, and the evidence. Doubt is a confidence, not an
+// error.
 
 #include <vector>
 

@@ -13,7 +13,7 @@ bool isGzip(std::span<const unsigned char> bytes) {
 
 std::optional<std::vector<unsigned char>> gunzip(std::span<const unsigned char> bytes,
                                                  std::size_t most_bytes) {
-  constexpr int gzipOnly = 16;  // added to the window's bits: zlib's way to ask for a gzip header
+  constexpr int gzipOnly = 16;  // added to the window bits: makes zlib expect a gzip header
   z_stream stream{};
   if (bytes.size() > std::numeric_limits<uInt>::max() || inflateInit2(&stream, MAX_WBITS + gzipOnly) != Z_OK)
     return {};

@@ -10,19 +10,21 @@ namespace detent::importer {
 
 namespace {
 
-constexpr int kSmooth_blocks = 1;  // to either side: coding spreads colour over about three blocks
-constexpr int kAround_blocks = 2;  // to either side: how far the relation of colour to brightness is the same
+constexpr int kSmooth_blocks = 1;  // on either side: coding spreads colour over about three blocks
+// on either side: range over which the relation of colour to brightness is constant
+constexpr int kAround_blocks = 2;
 constexpr int kReach_blocks = kSmooth_blocks + kAround_blocks;
-constexpr int kBand_blocks = 128;          // rows of blocks at a time, for the memory's sake
-constexpr float kBrightNoise_levels2 = 4;  // variance that rounding and coding leave on even paper
-constexpr float kColourNoise_levels2 = 1;  // the same of colour: what varies less needs no explanation
+constexpr int kBand_blocks = 128;  // rows of blocks processed at a time, to limit memory
+// variance of brightness that rounding and coding cause on even paper
+constexpr float kBrightNoise_levels2 = 4;
+constexpr float kColourNoise_levels2 = 1;  // the same for colour: smaller variations need no explanation
 /// Share of a block's colour that is kept although brightness does not explain it. Coding blurs colour, so
 /// most is dropped where brightness explains the surroundings. If a third is unexplained, two colours meet
 /// and all is kept.
 constexpr float kKeptAlways = 0.3F, kKeptPerUnexplained = 2;
 constexpr float kGrey_levels = 2;  // Cb and Cr of a band without colour
 
-/// Brightness and colour of blocks as stored, a row of floats for each row of blocks.
+/// Brightness and colour of the blocks as stored: one row of floats for each row of blocks.
 struct Stored {
   cv::Mat bright;
   std::array<cv::Mat, 2> colour;  ///< Cb, Cr about 0
@@ -38,7 +40,7 @@ struct Relation {
   std::array<cv::Mat, 2> level, slope;
 };
 
-/// Mean over the neighbours within `reach` that there are.
+/// Mean over the existing neighbours within `reach`.
 cv::Mat meanWithin(const cv::Mat& in, int reach) {
   const auto sum = [&](const cv::Mat& values) {
     cv::Mat out;
@@ -69,7 +71,7 @@ Relation relationOf(const Stored& stored) {
   share.setTo(1, varied <= kColourNoise_levels2);
   const cv::Mat kept = cv::min(kKeptAlways + kKeptPerUnexplained * (1 - share), 1);
   for (std::size_t c = 0; c < 2; ++c) {
-    // Beside a black or grey line only a share of what changes in brightness changes in colour.
+    // Beside a black or grey line only a share of the change in brightness is a change in colour.
     out.slope[c] = out.slope[c].mul(share);
     const cv::Mat expected = out.level[c] + out.slope[c].mul(stored.bright - bright);
     out.level[c] += kept.mul(stored.colour[c] - expected) - out.slope[c].mul(bright);
@@ -94,8 +96,8 @@ class HalfColour {
   }
 
  private:
-  /// Values of the block rows from..to; those the last band had are taken from it, for its pixels are painted
-  /// by now.
+  /// Reads the block rows from..to. Rows of the previous band are taken from it, because its pixels are
+  /// already overwritten.
   void read(int from, int to) {
     Stored fresh(across_, to - from);
     const int known = std::clamp(from_ + stored_.bright.rows - from, 0, to - from);
@@ -158,7 +160,7 @@ class HalfColour {
   StoredPicture& picture_;
   ColourBlock block_;
   int across_, down_;  ///< blocks
-  int from_ = 0;       ///< the first row of blocks of what is stored
+  int from_ = 0;       ///< first stored row of blocks
   Stored stored_;
 };
 

@@ -12,9 +12,9 @@ struct ColourBlock {
   int across_px = 2, down_px = 2;
 };
 
-/// Makes red, green and blue of brightness, Cb and Cr (JFIF's, full range, in the picture's first three
-/// channels; colour the same all over a block). Within a block colour follows brightness as it does around
-/// it, so that a line keeps its colour and the paper beside it has none
+/// Computes red, green and blue from brightness, Cb and Cr (JFIF's, full range, in the picture's first three
+/// channels; the colour is constant within a block). Within a block colour is assumed to follow brightness as
+/// in its surroundings, so that a line keeps its colour and the paper beside it has none
 /// (docs/develop/decisions/0500-colours-of-curves.md).
 void colourByBrightness(StoredPicture& picture, ColourBlock block);
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-// Only these handlers are registered: books, web pages and archives are not offered and not linked.
+// Only these handlers are registered. Those for books, web pages and archives are neither offered nor linked.
 extern "C" fz_document_handler pdf_document_handler;
 
 namespace detent::importer {
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t storeBytes = 32u << 20;  // decoded images and glyphs that MuPDF may keep
 
-/// Each block begins with its size, so that frees can be accounted for.
+/// Each block begins with its size, so that frees can be counted.
 constexpr std::size_t headerBytes = alignof(std::max_align_t);
 
 void ignoreRemark(void*, const char*) {}
@@ -61,7 +61,7 @@ void MupdfContext::release(void* self, void* block) {
 }
 
 bool guardedCall(fz_context* context, void (*body)(void*), void* argument, std::string& error) {
-  volatile bool failed = false;  // set after the jump
+  volatile bool failed = false;  // set after the longjmp
   fz_try(context) { body(argument); }
   fz_catch(context) { failed = true; }
   if (failed) error = fz_caught_message(context);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which fonts of MuPDF's library the programs carry. The functions at the end are MuPDF's own
-// (mupdf/fitz/font.h); the linker takes these definitions and leaves out the library's, with a table of 40 MB
-// of fonts for every script ever written. Kept are the fourteen of PDF, one for Chinese, Japanese and Korean,
-// and those of the scripts and symbols datasheets are printed in. They are drawn where a page does not bring
-// its font; texts are read without them (docs/develop/decisions/0009-contents-of-the-package.md). Any thread.
+// Selects the fonts of MuPDF's library that the programs contain. The functions at the end replace MuPDF's
+// own (mupdf/fitz/font.h): the linker takes these and leaves out the library's, with its 40 MB of fonts for
+// every script ever written. Kept are the fourteen of PDF, one for Chinese, Japanese and Korean, and those of
+// the scripts and symbols of datasheets. They are drawn where a page does not contain its font; reading text
+// does not need them (docs/develop/decisions/0009-contents-of-the-package.md). Any thread.
 
 #include <map>
 #include <string_view>
@@ -13,7 +13,7 @@
 
 #include "importer/page/embedded_fonts.h"
 
-// A font's bytes have the names that MuPDF's build gives them.
+// The names that MuPDF's build gives to the bytes of a font.
 #define MUPDF_FONT(name, file)                                                                    \
   extern "C" const unsigned char name##Begin[] __asm__("_binary_resources_fonts_" file "_start"); \
   extern "C" const unsigned char name##End[] __asm__("_binary_resources_fonts_" file "_end");     \
@@ -24,7 +24,7 @@ namespace {
 struct EmbeddedFont {
   const unsigned char *begin = nullptr, *end = nullptr;
 
-  /// The form MuPDF asks for: the first byte, or null and 0.
+  /// The form that MuPDF expects: the first byte, or null and size 0.
   const unsigned char* bytes(int* size) const {
     *size = static_cast<int>(end - begin);
     return begin;
@@ -55,7 +55,7 @@ MUPDF_FONT(symbols, "noto_NotoSansSymbols_Regular_otf");
 MUPDF_FONT(moreSymbols, "noto_NotoSansSymbols2_Regular_otf");
 MUPDF_FONT(eastAsian, "droid_DroidSansFallback_ttf");
 
-/// The fonts every PDF may use without bringing them.
+/// The fonts that a PDF may use without containing them.
 const struct {
   std::string_view name;
   EmbeddedFont font;
@@ -92,7 +92,7 @@ const unsigned char* fz_lookup_base14_font(fz_context*, const char* name, int* s
   return EmbeddedFont{}.bytes(size);
 }
 
-/// By family: MuPDF calls this for HTML only, which is not read here.
+/// Font by family: MuPDF calls this for HTML only, which is not read here.
 const unsigned char* fz_lookup_builtin_font(fz_context*, const char*, int, int, int* size) {
   return EmbeddedFont{}.bytes(size);
 }

@@ -19,11 +19,11 @@ namespace detent::importer {
 namespace {
 
 constexpr double overviewDpi = 150;  // enough for labels of 5 pt
-/// Points up and down of one object that are drawn in a second at the least, from lines over the whole page:
-/// 1.5e7 took 13 s.
+/// Total vertical extent of one object's lines that is drawn per second at the least, for lines across the
+/// whole page: 1.5e7 took 13 s.
 constexpr double risePerSecond = 2.5e5;
 constexpr double overviewMaxSide_px = 2000;
-constexpr int letterContrast = 60;        // levels, in the box of a letter that is seen
+constexpr int letterContrast = 60;        // levels, in the box of a visible letter
 constexpr int overviewAntialiasBits = 6;  // half the time of 8 on pages with 1e5 glyph outlines
 
 /// Calls a function at the end of its scope.
@@ -42,7 +42,7 @@ struct RecordedPage {
   fz_display_list* list = nullptr;
   double width = 0, height = 0;
   CollectedPage collected;
-  bool pathsHandedOut = false;  ///< there can be a hundred thousand: they are moved, not copied
+  bool pathsHandedOut = false;  ///< there may be a hundred thousand paths, so they are moved, not copied
 
   RecordedPage(int pageNumber, fz_context* itsContext) : number(pageNumber), context(itsContext) {}
   RecordedPage(const RecordedPage&) = delete;
@@ -63,7 +63,7 @@ class MupdfSource : public PageSource {
   MupdfSource(const MupdfSource&) = delete;
   MupdfSource& operator=(const MupdfSource&) = delete;
 
-  /// Nothing if the document can be used.
+  /// Opens the document; returns nothing on success.
   std::optional<Failure> open();
 
   int pageCount() const override { return pageCount_; }
@@ -73,7 +73,7 @@ class MupdfSource : public PageSource {
 
  private:
   std::string kind() const { return file_.pdfUnits > 0 ? "SVG" : "PDF"; }
-  /// From a page's units in the file to those of Page.
+  /// Factor from the page's units in the file to those of Page.
   double scale() const { return file_.pdfUnits > 0 ? 1 / file_.pdfUnits : 1; }
   std::string placeOf(int number) const { return "page " + std::to_string(number); }
   Failure damaged(const std::string& place, const std::string& error) const;
@@ -98,8 +98,8 @@ class MupdfSource : public PageSource {
   MupdfContext context_;
   fz_document* document_ = nullptr;
   int pageCount_ = 0;
-  int brokenImages_ = 0;  ///< taken out of the document so that its pages can be read
-  std::list<std::unique_ptr<RecordedPage>> recorded_;  ///< most recent first; a few
+  int brokenImages_ = 0;  ///< images removed from the document so that its pages can be read
+  std::list<std::unique_ptr<RecordedPage>> recorded_;  ///< recorded pages, most recent first
 };
 
 Failure MupdfSource::damaged(const std::string& place, const std::string& error) const {
@@ -268,7 +268,7 @@ Result<RecordedPage*> MupdfSource::recorded(int number, const Progress& progress
   return recorded_.front().get();
 }
 
-/// Runs the display list into a device, under the limit on time. The failure: why there is nothing to use.
+/// Runs the display list into a device within the time limit. Returns a failure if the result cannot be used.
 std::optional<Failure> MupdfSource::drawnOn(const RecordedPage& page, const fz_matrix& matrix,
                                             const fz_rect& area, const Progress& progress,
                                             const std::function<fz_device*()>& newDevice) {
@@ -312,7 +312,8 @@ Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, Lett
   return textBoxes(*text, {0, 0, page.width, page.height}, std::move(seen));
 }
 
-/// Levels between the darkest and the brightest pixel of a box, of the channel where they are most.
+/// Difference in levels between the darkest and the brightest pixel of a box, for the channel where it is
+/// largest.
 int contrastIn(const Raster& picture, const Box& box) {
   int most = 0;
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -328,10 +329,12 @@ int contrastIn(const Raster& picture, const Box& box) {
   return most;
 }
 
-/// Returns true if a stroked line is invisible: it has its background's colour or is blended into it.
+/// Returns true if a stroked line is invisible: it has its background's colour, or is drawn with a blend mode
+/// that hides it.
 bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
-  constexpr int leastContrast = 2, seenForSure = 32;  // levels: thin grey lines are seen; samples
-  constexpr double leastSeen = 0.2;                   // of the samples: unseen lines cross seen ones
+  // levels: thin grey lines are visible from this on; number of samples
+  constexpr int leastContrast = 2, seenForSure = 32;
+  constexpr double leastSeen = 0.2;  // of the samples: invisible lines cross visible ones
   const double reach = path.strokeWidth / 2 * std::hypot(toPicture.a, toPicture.b) + 1.5;
   int samples = 0, seen = 0;
   for (const auto& line : path.polylines)

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int tile_px = 8;
 
-// Of 255 levels. Drawn pictures, JPEGs among them, have neither grain nor uneven paper (0 in 150 of 150
-// pictures of the corpus); scans of it have 2 to 28 and 8 to 11, photos 6 to 12 and 64 to 104.
+// Of 255 levels. Drawn pictures, including JPEGs, have neither grain nor uneven paper (0 in all 150 pictures
+// of the corpus); scans have grain of 2 to 28 and unevenness of 8 to 11, photos 6 to 12 and 64 to 104.
 constexpr int leastGrain = 2, leastUneven = 4, unevenOfPhoto = 25;
 constexpr int nearPaper = 60;
 
@@ -43,7 +43,7 @@ Tile tileAt(const Raster& raster, int x0, int y0) {
 
 /// A few thousand tiles, spread evenly.
 std::vector<Tile> tilesOf(const Raster& raster) {
-  constexpr double most = 4000;  // tiles looked at
+  constexpr double most = 4000;  // largest number of tiles
   const int across = raster.width_px / tile_px, down = raster.height_px / tile_px;
   const int step = std::max(1, static_cast<int>(std::sqrt(across * static_cast<double>(down) / most)));
   std::vector<Tile> tiles;
@@ -53,7 +53,7 @@ std::vector<Tile> tilesOf(const Raster& raster) {
   return tiles;
 }
 
-/// Returns true if almost all pixels are black or white, as from a fax or a scanner in text mode.
+/// Returns true if almost all pixels are black or white, as from a fax machine or a scanner in text mode.
 bool isBilevel(const Raster& raster) {
   constexpr double mostBetween_share = 0.001, leastDark_share = 0.002;
   const double all = static_cast<double>(raster.width_px) * raster.height_px;
@@ -64,7 +64,7 @@ bool isBilevel(const Raster& raster) {
       const std::uint8_t* p = raster.at(x, y);
       const auto [low, high] = std::minmax({p[0], p[1], p[2]});
       between += low > 16 && high < 239;
-      between += high - low > 64;  // a colour is neither
+      between += high - low > 64;  // coloured pixels are neither black nor white
       dark += high <= 16;
     }
   }
@@ -72,11 +72,11 @@ bool isBilevel(const Raster& raster) {
          all;
 }
 
-/// Returns true if undrawn paper has exactly one of a few levels, as programs fill windows and plots. Scanned
-/// or photographed paper varies.
+/// Returns true if blank paper has exactly one of a few levels, as in windows and plots that programs fill.
+/// Scanned or photographed paper varies.
 bool isFilledEvenly(const std::vector<Tile>& paper) {
   constexpr std::size_t mostLevels = 3, fewestTiles = 50;
-  constexpr double leastBare = 0.6, leastShare = 0.95;  // of the tiles, of those that nothing is drawn in
+  constexpr double leastBare = 0.6, leastShare = 0.95;  // of the tiles, for blank ones; of the blank tiles
   std::array<std::size_t, 256> counts{};
   for (const Tile& tile : paper)
     if (tile.range == 0) ++counts[static_cast<std::size_t>(std::clamp(tile.level, 0, 255))];

@@ -32,12 +32,12 @@ struct SourceFile {
   std::string name;
   PageLimits limits;
   double pdfUnits =
-      0;  ///< of a PDF that an SVG was drawn as: its units per page unit; 0: it is the file itself
+      0;  ///< for an SVG that was converted to PDF: PDF units per page unit; 0 for any other file
 };
 
 using OpenedSource = Result<std::unique_ptr<PageSource>>;
 
-/// png, jpg, bmp, tiff, webp, gif; a bmp where MuPDF is at hand.
+/// png, jpg, bmp, tiff, webp, gif. In builds with MuPDF also bmp.
 OpenedSource openPictureSource(const SourceFile& file);
 /// bmp.
 OpenedSource openBmpSource(const SourceFile& file);

@@ -14,7 +14,7 @@
 namespace detent::importer {
 namespace {
 
-/// Bounds-checked reading of integers; what lies outside reads as 0 and is remembered.
+/// Bounds-checked reading of integers. A read beyond the end gives 0 and is remembered.
 class ByteReader {
  public:
   ByteReader(std::span<const unsigned char> bytes, bool bigEndian) : bytes_(bytes), bigEndian_(bigEndian) {}
@@ -68,7 +68,7 @@ struct TiffDirectory {
   bool readable = false;
 };
 
-/// The 8-byte form of entries and offsets is BigTIFF's.
+/// Reads TIFF directories. BigTIFF has entries and offsets of 8 bytes.
 class TiffReader {
  public:
   explicit TiffReader(std::span<const unsigned char> bytes)
@@ -89,7 +89,7 @@ class TiffReader {
       return dir;
     for (std::size_t i = 0; i < entries; ++i) readEntry(at + headSize + i * entrySize, dir);
     const std::size_t nextAt = at + headSize + static_cast<std::size_t>(entries) * entrySize;
-    // EXIF blocks may end without the next offset; then there is none.
+    // An EXIF block may end without the offset of a next directory.
     if (nextAt + (big_ ? 8 : 4) <= in_.size()) dir.next = big_ ? in_.u64(nextAt) : in_.u32(nextAt);
     dir.readable = true;
     return dir;
@@ -139,7 +139,7 @@ std::optional<double> dpiOf(const TiffDirectory& dir) {
   return std::nullopt;
 }
 
-/// EXIF is a TIFF file without pixels; `header` gets what its first directory says.
+/// EXIF is a TIFF file without pixels. Copies the entries of its first directory to `header`.
 void applyExif(std::span<const unsigned char> exif, PictureHeader& header) {
   constexpr std::string_view prefix("Exif\0\0", 6);
   if (exif.size() > 6 && std::memcmp(exif.data(), prefix.data(), 6) == 0) exif = exif.subspan(6);
@@ -154,7 +154,7 @@ void applyExif(std::span<const unsigned char> exif, PictureHeader& header) {
 std::vector<PictureHeader> tiffHeaders(std::span<const unsigned char> bytes, int maxPictures) {
   const TiffReader reader(bytes);
   std::vector<PictureHeader> headers;
-  std::set<std::uint64_t> seen;  // a list of directories that runs in a circle ends here
+  std::set<std::uint64_t> seen;  // ends a cyclic list of directories
   for (std::uint64_t at = reader.firstDirectory();
        at != 0 && static_cast<int>(headers.size()) < maxPictures;) {
     if (!seen.insert(at).second) break;
@@ -198,8 +198,8 @@ PictureHeader pngHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
-/// Where the compressed scan that begins at `at` ends: at the next marker that is not a restart and no
-/// stuffed 0xFF.
+/// End of the compressed scan that begins at `at`: the next marker that is neither a restart nor a stuffed
+/// 0xFF.
 std::size_t endOfScan(const ByteReader& in, std::size_t at) {
   for (; at + 1 < in.size(); ++at) {
     if (in.u8(at) != 0xff) continue;
@@ -214,7 +214,7 @@ PictureHeader jpegHeader(std::span<const unsigned char> bytes) {
   PictureHeader header;
   header.complete = false;
   for (std::size_t at = 2; at + 1 < in.size();) {
-    if (in.u8(at) != 0xff) {  // garbage between segments is skipped, as decoders do
+    if (in.u8(at) != 0xff) {  // bytes between segments are skipped, as decoders do
       ++at;
       continue;
     }
@@ -257,8 +257,8 @@ PictureHeader bmpHeader(std::span<const unsigned char> bytes) {
       old ? in.u16(20) : std::abs(static_cast<long long>(static_cast<std::int32_t>(in.u32(22))));
   const std::uint32_t bitsPerPixel = in.u16(old ? 24 : 28), compression = old ? 0 : in.u32(30);
   if (!old) header.dpi = plausibleDpi(in.u32(38) * mmPerInch / 1000);
-  const bool runLengths =
-      compression == 1 || compression == 2;  // whether they are all there is known when they are read
+  // for compressed pixels, completeness is known only after reading
+  const bool runLengths = compression == 1 || compression == 2;
   if (!runLengths && header.width_px > 0 && header.width_px < (1LL << 31)) {
     const long long rowBytes = (header.width_px * bitsPerPixel + 31) / 32 * 4;
     const long long available = static_cast<long long>(in.size()) - static_cast<long long>(pixelsAt);
@@ -272,7 +272,7 @@ PictureHeader gifHeader(std::span<const unsigned char> bytes) {
   PictureHeader header;
   header.width_px = in.u16(6);
   header.height_px = in.u16(8);
-  // A file that is whole ends with the trailer; what follows it is padding.
+  // A complete file ends with the trailer; anything after it is padding.
   std::size_t end = in.size();
   while (end > 0 && in.u8(end - 1) == 0) --end;
   header.complete = end > 0 && in.u8(end - 1) == 0x3b;
@@ -322,9 +322,9 @@ bool isProbablySvg(std::span<const unsigned char> bytes) {
   return false;
 }
 
-/// Of the pictures that are known and not read.
+/// The kind of a known picture format that is not read.
 FileKind foreignKind(const ByteReader& in) {
-  constexpr std::size_t brandsBegin = 8, brandsEnd = 64;  // of the first box of a file in ISO's base format
+  constexpr std::size_t brandsBegin = 8, brandsEnd = 64;  // in the first box of an ISO base media file
   if (in.has(4, "jP  \r\n\x87\n") || in.has(0, "\xff\x4f\xff\x51")) return FileKind::jpeg2000;
   if (!in.has(4, "ftyp")) return FileKind::unknown;
   const auto hasBrand = [&](std::string_view brand) {

@@ -15,19 +15,19 @@ namespace detent::importer {
 
 enum class FileKind { unknown, png, jpeg, bmp, tiff, webp, pdf, svg, gif, heic, avif, jpeg2000 };
 
-/// By content, never by name. Any bytes.
+/// Determines the kind from the content, never from the name. Any bytes.
 FileKind sniffFileKind(std::span<const unsigned char> bytes);
 
 /// "PNG picture", "PDF document", ...
 Message kindName(FileKind kind);
 
-/// The kind that a file name's extension promises; unknown if it promises nothing we know.
+/// The kind that the file name's extension stands for; unknown for other extensions.
 FileKind kindOfName(const std::string& name);
 
-/// Of a picture that can be read.
+/// Returns true for pictures that this build reads.
 bool isPicture(FileKind kind);
 
-/// Of a picture that is known and not read.
+/// Returns true for known picture formats that are not read.
 bool isForeignPicture(FileKind kind);
 
 /// One picture of the file (TIFF may hold several). Sizes as stored, before any orientation.
@@ -35,7 +35,7 @@ struct PictureHeader {
   long long width_px = 0, height_px = 0;
   int orientation = 1;              ///< EXIF, 1..8
   std::optional<double> dpi;        ///< the horizontal one
-  bool complete = true;             ///< false: the file ends before its own end mark or before its pixels
+  bool complete = true;             ///< false: the file ends before its end mark or before its last pixel
   std::size_t directoryOffset = 0;  ///< TIFF: where this picture's directory stands
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures: the page is the picture, a view is a crop of its own pixels; of what is larger than any plot
-// needs, pixels are averaged (docs/develop/decisions/0300-page-views-and-large-pictures.md).
+// Pictures: the page is the picture, and a view is a crop of its own pixels. Pixels of a picture that is
+// larger than any plot needs are averaged (docs/develop/decisions/0300-page-views-and-large-pictures.md).
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,11 @@
 namespace detent::importer {
 namespace {
 
-/// No plot is drawn finer: 16 million pixels are four times what a page of A4 has at 300 dpi across its
-/// width.
+/// Most pixels of a page. No plot needs more: 16 million are four times as many as an A4 page has at 300 dpi
+/// across its width.
 constexpr double mostPixels = 16e6;
 
-/// Side of the square of pixels that is averaged into one pixel, in px.
+/// Side length in px of the square of pixels that is averaged into one pixel.
 int reductionOf(int width_px, int height_px) {
   const double pixels = static_cast<double>(width_px) * height_px;
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / mostPixels))));
@@ -91,7 +91,7 @@ class PictureSource : public PageSource {
                       Message("Save or export the picture again and import the new file"));
   }
 
-  /// A region of the page stood level, interpolated between the pixels of its overview.
+  /// A levelled region of the page, interpolated between the pixels of its overview.
   static PageView levelView(const Page& page, const Box& region, int quarterTurns,
                             const Homography& levelToPage) {
     const Box whole = levelToPage.inverse().boxOf({0, 0, page.width - 1, page.height - 1}),
@@ -112,14 +112,14 @@ class PictureSource : public PageSource {
     return view;
   }
 
-  /// All pixels of a large picture, kept beside its page.
+  /// All pixels of a large picture, kept apart from its page.
   struct Large {
     int page = 0;
     Raster raster;
   };
 
-  /// The picture as stored: the page's own, or of a large one what was kept, decoded again if another took
-  /// its place.
+  /// The picture as stored: the page's own pixels, or for a large picture the kept ones, which are decoded
+  /// again if another picture has replaced them.
   Result<const Raster*> pixelsOf(const Page& page) {
     if (page.overviewToPage == Affine{}) return &page.overview;
     if (large_.page != page.number)

@@ -17,7 +17,7 @@ int nextMark(const std::uint8_t* row, int x, int width) {
   return x;
 }
 
-/// Sets of runs that touch; a set is known by its first run (Tarjan 1975, paths halved).
+/// Union-find over runs that touch; a set is represented by its first run (Tarjan 1975, with path halving).
 class Touching {
  public:
   std::size_t add() {
@@ -42,10 +42,11 @@ Box runBox(const PixelRun& run) {
           run.y + 1.0};
 }
 
-/// The first run of each piece, in the order of the pieces.
+/// The first run of each component, in the order of the components.
 std::vector<std::size_t> piecesInOrder(const std::vector<PixelRun>& runs, Touching& sets) {
   std::vector<std::size_t> order;
-  std::vector<int> leftmost(runs.size());  // of the piece's first two rows, known by its first run
+  // leftmost pixel of the component's first two rows, by its first run
+  std::vector<int> leftmost(runs.size());
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const std::size_t first = sets.firstOf(k);
     if (first == k) order.push_back(k);
@@ -63,8 +64,8 @@ std::vector<std::size_t> piecesInOrder(const std::vector<PixelRun>& runs, Touchi
 PixelComponents pixelComponentsOf(const std::uint8_t* mask, int width, int height, std::size_t stride) {
   PixelComponents found;
   Touching sets;
-  std::vector<int> openAbove;  // per run: pixels with an unmarked pixel right above them
-  std::size_t above = 0;       // the first run of the row above that may touch what follows
+  std::vector<int> openAbove;  // per run: number of pixels whose upper neighbour is unmarked
+  std::size_t above = 0;       // first run of the row above that may still touch a later run
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* row = mask + static_cast<std::size_t>(y) * stride;
     const std::size_t rowStart = found.runs.size();

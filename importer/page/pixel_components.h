@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Connected pieces of a mask, found run by run: a drawing is nearly all paper, and paper costs next to
-// nothing.
+// Connected components of a mask, found by runs of pixels. Drawings are nearly all paper, which costs almost
+// no time this way.
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ struct PixelComponents {
   std::vector<PixelRun> runs;       ///< row by row, from the left
 };
 
-/// The pieces of what is not 0 in `height` rows of `width` bytes, `stride` bytes apart.
+/// The connected components of the non-zero pixels in `height` rows of `width` bytes, `stride` bytes apart.
 PixelComponents pixelComponentsOf(const std::uint8_t* mask, int width, int height, std::size_t stride);
 
 }  // namespace detent::importer

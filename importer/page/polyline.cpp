@@ -119,7 +119,7 @@ std::vector<double> stiffened(const std::vector<double>& target, const std::vect
   if (n < 3) return target;
   std::vector<double> a(n), b(n, 0), c(n, 0), x(n);  // diagonal, first and second super-diagonal, right side
   for (std::size_t i = 0; i < n; ++i) {
-    a[i] = weight[i] + 1e-6;  // a faint pull to zero keeps unseen lines finite
+    a[i] = weight[i] + 1e-6;  // a weak pull to zero keeps values without weight finite
     x[i] = weight[i] * target[i];
   }
   for (std::size_t i = 1; i + 1 < n; ++i) {

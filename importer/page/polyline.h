@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines of points, in whatever plane the points are in, and what every step does with them.
+// Polylines in any plane, with the operations that all steps share.
 
 #include <vector>
 
@@ -24,10 +24,10 @@ double projectionOn(Point a, Point b, Point p);
 /// The point of the line nearest to p; the line has at least one.
 Point nearestOn(const Polyline& line, Point p);
 
-/// Twice the area that the closed line runs around; positive where it runs clockwise (y down).
+/// Twice the enclosed area of the closed line; positive if it runs clockwise (y down).
 double twiceAreaOf(const Polyline& ring);
 
-/// Successive points distinct.
+/// The line without repeated points.
 Polyline withoutRepeats(const Polyline& line);
 
 /// The points of the line and as many between them that no two are farther apart than `step`.

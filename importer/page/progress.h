@@ -13,8 +13,9 @@ namespace detent::importer {
 /// Passed down by every step. All members may be empty. Called on the thread that does the work.
 struct Progress {
   std::function<void(double fraction, ImportStep step)> report;  ///< 0..1 over the whole import
-  std::function<bool()> cancelled;                               ///< true: stop soon, give Failure::cancelled
-  /// Sink for a step's intermediate pictures; costs nothing when empty.
+  /// returns true to request a stop: work then ends soon with Failure::cancelled
+  std::function<bool()> cancelled;
+  /// Receives a step's intermediate pictures; costs nothing when empty.
   std::function<void(std::string_view label, const Raster& picture)> picture;
 
   bool isCancelled() const { return cancelled && cancelled(); }

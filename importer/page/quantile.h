@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The one convention for medians and other quantiles.
+// The one definition of medians and other quantiles.
 
 #include <algorithm>
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace detent::importer {
 
-/// The value that `share` (0..1) of the others do not exceed: of an even number's two middle ones the lower.
-/// 0 for no values.
+/// The smallest value that at least `share` (0..1) of the values do not exceed; the median of an even number
+/// is the lower of the two middle ones. 0 for no values.
 template <class T>
 T quantileOf(std::vector<T> values, double share) {
   if (values.empty()) return T{};

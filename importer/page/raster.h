@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Plain pixels and plain geometry; what the importer's steps hand each other (no third-party type in a
-// header).
+// Plain pixels and geometry that the importer's steps exchange. No third-party type appears in a header.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@
 
 namespace detent::importer {
 
-/// A position. Which plane it is in (page units or view pixels) is said by the name that holds it.
+/// A position. The name of the variable states its plane (page units or view pixels).
 struct Point {
   double x = 0, y = 0;
   friend bool operator==(const Point&, const Point&) = default;
@@ -35,18 +34,19 @@ struct Box {
   Point middle() const { return {0.5 * (x0 + x1), 0.5 * (y0 + y1)}; }
   bool contains(Point p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
   bool contains(const Box& b) const { return b.x0 >= x0 && b.y0 >= y0 && b.x1 <= x1 && b.y1 <= y1; }
-  /// A common point, if only of their edges.
+  /// Returns true if the boxes share a point, even if only on their edges.
   bool touches(const Box& b) const { return x1 >= b.x0 && x0 <= b.x1 && y1 >= b.y0 && y0 <= b.y1; }
   Box grown(double dx, double dy) const { return {x0 - dx, y0 - dy, x1 + dx, y1 + dy}; }
   /// The smallest box around both.
   Box joined(const Box& b) const {
     return {std::min(x0, b.x0), std::min(y0, b.y0), std::max(x1, b.x1), std::max(y1, b.y1)};
   }
-  /// Empty where they do not meet.
+  /// The intersection; empty if the boxes do not meet.
   Box common(const Box& b) const {
     return {std::max(x0, b.x0), std::max(y0, b.y0), std::min(x1, b.x1), std::min(y1, b.y1)};
   }
-  /// Stand in a column or in a row, as texts of a legend do: within the lower one's height.
+  /// Returns true if the boxes stand in one column or row, as texts of a legend do: within the height of the
+  /// lower one.
   bool inLineWith(const Box& b) const {
     const double within = std::min(height(), b.height());
     return std::abs(x0 - b.x0) < within || std::abs(x1 - b.x1) < within ||

@@ -12,13 +12,14 @@
 namespace detent::importer {
 
 bool Visibility::mayCompare(std::size_t things) {
-  constexpr std::size_t most = 100000000;  // about a third of a second
+  constexpr std::size_t most = 100000000;  // limit of comparisons, about a third of a second
   comparisons_ += things;
   return comparisons_ <= most;
 }
 
 bool Visibility::isSameWord(std::size_t before, std::size_t next) const {
-  constexpr double farthest = 1.5;  // of a letter's size: from one beginning to the next
+  // of a letter's size: from the beginning of one letter to that of the next
+  constexpr double farthest = 1.5;
   const SetLetter &a = letters_[before].letter, &b = letters_[next].letter;
   return letters_[before].sight == letters_[next].sight &&
          std::hypot(a.x - b.x, a.y - b.y) <= farthest * a.size;
@@ -31,7 +32,7 @@ const Visibility::Cover* Visibility::coverUnder(Point place) const {
 }
 
 void Visibility::letter(const SetLetter& letter, bool drawn) {
-  constexpr double unseen = 30;  // colour levels between a letter and its background
+  constexpr double unseen = 30;  // colour levels between a letter and its background; less is invisible
   constexpr Rgb paper{255, 255, 255};
   Sight sight = Sight::seen;
   if (mayCompare(covers_.size())) {
@@ -60,10 +61,10 @@ void Visibility::cover(const Box& box, CoverKind kind, Rgb color, bool hides,
 }
 
 std::vector<bool> Visibility::seenOnce() const {
-  constexpr double nearly = 0.3;     // of a letter's size: copies of it stand within
-  constexpr double ofAdvance = 0.6;  // the same letter twice in a word stands a whole advance apart
+  constexpr double nearly = 0.3;     // of a letter's size: copies lie within this distance
+  constexpr double ofAdvance = 0.6;  // a repeated letter of a word is a whole advance away
   std::vector<bool> once(letters_.size(), false);
-  std::map<int, std::vector<std::size_t>> byCode;  // of each code, by x
+  std::map<int, std::vector<std::size_t>> byCode;  // letters of each code, sorted by x
   for (std::size_t i = 0; i < letters_.size(); ++i)
     if (letters_[i].sight != Sight::hidden) byCode[letters_[i].letter.unicode].push_back(i);
   const auto isCopy = [&](std::size_t i, std::size_t k) {
@@ -80,7 +81,8 @@ std::vector<bool> Visibility::seenOnce() const {
       for (std::size_t k = kept.size(); k-- > 0 && !copy;) {
         if (letters_[i].letter.x - letters_[kept[k]].letter.x > nearly * letters_[i].letter.size) break;
         copy = isCopy(i, kept[k]);
-        if (copy && letters_[kept[k]].sight == Sight::ofPicture) kept[k] = i;  // what is drawn counts
+        // the drawn copy counts, not the invisible one
+        if (copy && letters_[kept[k]].sight == Sight::ofPicture) kept[k] = i;
       }
       if (!copy) kept.push_back(i);
     }
@@ -104,9 +106,9 @@ std::optional<Box> uprightRectangle(const std::vector<std::vector<Point>>& polyl
 }
 
 void dropRepeats(std::vector<VectorPath>& paths) {
-  constexpr double nearly = 0.75;  // page units; or as much of the line's width
+  constexpr double nearly = 0.75;  // page units; or this share of the line's width
   constexpr double cell = 4;       // page units
-  constexpr int mostPlaces = 64;   // in one cell: more is a texture
+  constexpr int mostPlaces = 64;   // lines in one cell; more are a texture
   struct Place {
     std::size_t points = 0;
     long column = 0, row = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which letters and lines of a page a person sees, and each of them once: fake bold, shadows and halos set a label
-// several times, and edited pages cover the old one. Private to importer/page.
+// Determines which letters and lines of a page a person sees, and keeps each once: fake bold, shadows and
+// halos draw a label several times, and edited pages cover the old one. Private to importer/page.
 
 #include <algorithm>
 #include <cstddef>
@@ -24,27 +24,29 @@ struct SetLetter {
   Rgb color;
 };
 
-/// Letters by code and place, and how many letters of that code were set in that place before the one that is seen.
+/// Letters by code and place, with the number of letters of that code that were drawn in the same place
+/// before the visible one.
 using LetterKeys = std::map<std::tuple<int, float, float>, int>;
 
 enum class CoverKind {
-  rectangle,  ///< upright, of one colour
+  rectangle,  ///< an upright area of one colour
   picture,
-  shape  ///< any other area, whose colour at a place is not known
+  shape  ///< any other area; its colour at a place is not known
 };
 
 enum class Sight {
   seen,
-  ofPicture,  ///< set invisibly on a picture, or under it: the text of a scan, if the picture shows it
+  ofPicture,  ///< drawn invisibly over or under a picture: the text of a scan, if the picture shows it
   hidden
 };
 
-/// Follows a page in the order it is drawn.
+/// Tracks visibility while a page is processed in drawing order.
 class Visibility {
  public:
   /// `drawn`: false for what is set invisibly, as the text of scans is.
   void letter(const SetLetter& letter, bool drawn);
-  /// An area that is filled. `hides`: nothing under it is seen, which takes it out of `paths` too.
+  /// Records a filled area. `hides`: the area conceals everything below it; hidden paths are removed from
+  /// `paths`.
   void cover(const Box& box, CoverKind kind, Rgb color, bool hides, std::vector<VectorPath>& paths);
 
   /// Returns the visible letters. Of copies in one place it returns one, preferably a drawn one. A word of
@@ -95,7 +97,7 @@ class Visibility {
 /// The box of an upright rectangle; nothing if the path is anything else.
 std::optional<Box> uprightRectangle(const std::vector<std::vector<Point>>& polylines);
 
-/// Leaves one of lines that have one colour and form and stand nearly in one place.
+/// Keeps one of several lines that have the same colour and form and nearly the same place.
 void dropRepeats(std::vector<VectorPath>& paths);
 
 }  // namespace detent::importer

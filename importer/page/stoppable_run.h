@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// MuPDF works without asking anybody whether it should; its cookie lets another thread tell it to stop.
-// Private to importer/page.
+// MuPDF does not ask whether to continue. Its cookie lets another thread stop it. Private to importer/page.
 
 #include <ctime>
 #include <functional>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Pixels as a picture file stores them, one decoder per format. Private to importer/page. The libraries' own limits are
-// set from the size that the header claims, which was held against ours before (docs/develop/decisions/0301-input-limits.md).
+// Pixels as a picture file stores them, one decoder per format. Private to importer/page. The libraries' own
+// limits are set from the size in the header, which has been checked against our limits
+// (docs/develop/decisions/0301-input-limits.md).
 
 #include <cstddef>
 #include <cstdint>
@@ -30,12 +31,12 @@ struct StoredPicture {
   }
 };
 
-/// nullopt if the bytes are damaged, or of another size than `width` x `height`. Palette, grey, 16 bits and CMYK become
-/// RGB; neither gamma nor profile is applied.
+/// nullopt if the bytes are damaged, or of another size than `width` x `height`. Palette, grey, 16 bits and
+/// CMYK become RGB; neither gamma nor profile is applied.
 std::optional<StoredPicture> decodePng(std::span<const unsigned char> bytes, int width, int height);
 std::optional<StoredPicture> decodeJpeg(std::span<const unsigned char> bytes, int width, int height);
 std::optional<StoredPicture> decodeBmp(std::span<const unsigned char> bytes, int width, int height);
-/// Of one picture; a film is none.
+/// Still pictures only; an animation gives nullopt.
 std::optional<StoredPicture> decodeGif(std::span<const unsigned char> bytes, int width, int height);
 std::optional<StoredPicture> decodeWebp(std::span<const unsigned char> bytes, int width, int height);
 /// The picture whose directory stands at `directoryOffset`. Floating point is taken as 0..1.

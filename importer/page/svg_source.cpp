@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SVG: drawn as a PDF by detent-svg-worker when the page is requested, then read as any PDF.
+// SVG: detent-svg-worker draws it as a PDF when the page is requested; the PDF is then read like any other.
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,10 @@
 namespace detent::importer {
 namespace {
 
-constexpr double workersShare = 0.25;  // of a page's time; the rest is for reading what it drew
+constexpr double workersShare = 0.25;  // share of a page's time; the rest is for reading the PDF
 
-/// Returns true if there is text with letters beyond ASCII, plain or as references, or if the file is UTF-16.
+/// Returns true if there is text with letters beyond ASCII, written directly or as character references, or
+/// if the file is UTF-16.
 bool mayNeedScripts(const Bytes& bytes) {
   constexpr std::string_view element = "text";
   const auto isBeyond = [](unsigned char c) { return c >= 0x80 || c == '&' || c == 0; };
@@ -44,7 +45,7 @@ class SvgSource : public PageSource {
   }
 
  private:
-  /// Nothing once there is a PDF.
+  /// Draws the PDF unless it exists already; returns nothing on success.
   std::optional<Failure> draw(const Progress& progress) {
     if (drawn_) return std::nullopt;
     svg::WorkerJob job;
@@ -52,7 +53,7 @@ class SvgSource : public PageSource {
     if (mayNeedScripts(*file_.bytes)) job.fonts = scriptFonts();
     job.processor_s =
         static_cast<int>(std::ceil(workersShare * std::clamp(file_.limits.maxPageSeconds, 0.1, 1e4)));
-    constexpr double leastMemory_MB = 512;  // libraries alone reserve a part of it
+    constexpr double leastMemory_MB = 512;  // the libraries alone reserve part of it
     job.memory_MB = static_cast<int>(std::clamp(file_.limits.maxDocumentMegabytes, leastMemory_MB, 1e6));
     job.cancelled = progress.cancelled;
     svg::WorkerResult result = svg::drawSvg(job);

@@ -62,7 +62,7 @@ class BoxBuilder {
   bool pendingSpace_ = false;
 };
 
-/// Where along the baseline a letter begins and ends.
+/// Start and end of a letter along the baseline.
 struct Extent {
   double begin = 0, end = 0;
 };
@@ -92,7 +92,7 @@ void addLine(const fz_stext_line& line, const Box& page, LetterKeys& seen, std::
     }
     const Extent extent = extentAlong(*letter, line.dir);
     const bool isPart =
-        kept && extent.begin == extent.end;  // one sign of the font stands for several letters
+        kept && extent.begin == extent.end;  // one glyph of the font stands for several letters
     const auto known = seen.find(keyOf(*letter));
     kept = isPart || (known != seen.end() && known->second-- == 0);
     if (!kept) continue;
@@ -118,7 +118,7 @@ std::vector<TextBox> textBoxes(const fz_stext_page& text, const Box& bounds, Let
     for (const fz_stext_char* letter = line.first_char; letter; letter = letter->next)
       ++present[keyOf(*letter)];
   });
-  // MuPDF leaves out some letters that stand twice in one place.
+  // MuPDF itself leaves out some letters that stand twice in one place.
   for (auto& [key, earlier] : seen) earlier = std::min(earlier, present[key] - 1);
   std::vector<TextBox> boxes;
   forLines([&](const fz_stext_line& line) { addLine(line, bounds, seen, boxes); });

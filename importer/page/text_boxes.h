@@ -10,9 +10,9 @@
 
 namespace detent::importer {
 
-/// Lines of the letters of `seen` of a structured text page made with FZ_STEXT_PRESERVE_LIGATURES, split
-/// where a gap is wider than the letters are high (columns of a table, tick labels on one baseline). Boxes in
-/// page units. Does not call into MuPDF, so nothing jumps.
+/// Lines of text from the letters of `seen` in a structured text page made with FZ_STEXT_PRESERVE_LIGATURES.
+/// Lines are split at gaps wider than the letters are high (table columns, tick labels on one baseline).
+/// Boxes in page units. Makes no MuPDF call, so no longjmp can occur.
 std::vector<TextBox> textBoxes(const fz_stext_page& text, const Box& bounds, LetterKeys seen);
 
 }  // namespace detent::importer

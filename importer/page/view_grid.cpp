@@ -7,7 +7,7 @@
 namespace detent::importer {
 namespace {
 
-/// An image whose pixel rows and columns run along the page's sides.
+/// An image whose pixel rows and columns are parallel to the page's sides.
 struct AlignedImage {
   Box box;
   double pitchX = 0, pitchY = 0;
@@ -18,8 +18,8 @@ double coverage(const Box& box, const Box& region) {
   return common.empty() ? 0 : common.area() / region.area();
 }
 
-/// Upright, turned by quarters or flipped; nothing if the rows drift by more than a quarter pixel over the
-/// image.
+/// The image's grid if it is upright, turned by quarters or flipped; nothing if its rows drift by more than a
+/// quarter pixel across the image.
 std::optional<AlignedImage> aligned(const ImagePlacement& placement) {
   constexpr double maxDrift_px = 0.25;
   const Affine& map = placement.pixelsToPage;
@@ -38,8 +38,9 @@ bool samePitch(const AlignedImage& a, const AlignedImage& b) {
   return std::abs(a.pitchX / b.pitchX - 1) < tolerance && std::abs(a.pitchY / b.pitchY - 1) < tolerance;
 }
 
-/// The image on whose pixels the region is to be shown: images of its pitch (scanners and word processors cut
-/// one picture into strips) cover most of the region. Stretched backgrounds of a few pixels are no pictures.
+/// The image on whose pixel grid the region is shown, if images of the same pitch (scanners and word
+/// processors cut one picture into strips) cover most of the region. A stretched background of a few pixels
+/// does not count.
 std::optional<AlignedImage> dominating(const std::vector<ImagePlacement>& placements, const Box& region) {
   constexpr double mostOf = 0.5;               // of the region's area
   constexpr double coarsestPitch = 72.0 / 40;  // points per pixel: 40 dpi
@@ -62,7 +63,8 @@ std::optional<AlignedImage> dominating(const std::vector<ImagePlacement>& placem
   return *largest;
 }
 
-/// A drawing over a background image, not a picture with a box or a remark on it.
+/// Returns true if the region is a drawing over a background image, not a picture with a box or a remark on
+/// it.
 bool carriesDrawing(const Page& page, const Box& region) {
   constexpr std::size_t drawingStartsAt = 8;  // polylines
   std::size_t polylines = 0;
@@ -73,7 +75,7 @@ bool carriesDrawing(const Page& page, const Box& region) {
   return false;
 }
 
-/// Pixels per unit of the finest image that holds a fair part of the region: a render is never coarser.
+/// Pixels per page unit of the finest image that covers a fair part of the region; a render is never coarser.
 double finestImageScale(const std::vector<ImagePlacement>& images, const Box& region) {
   constexpr double fairPart = 0.05;  // of the region's area
   double scale = 0;
@@ -86,9 +88,9 @@ double finestImageScale(const std::vector<ImagePlacement>& images, const Box& re
   return scale;
 }
 
-/// Whole pixels that cover the region.
+/// The whole pixels that cover the region.
 PixelRect coveringPixels(const ViewGrid& grid, const Box& region) {
-  constexpr double slack_px = 1e-3;  // a region that ends on a pixel's edge takes no further pixel
+  constexpr double slack_px = 1e-3;  // a region that ends at a pixel's edge includes no further pixel
   const double x0 = std::floor((region.x0 - grid.origin.x) / grid.pitchX + slack_px);
   const double y0 = std::floor((region.y0 - grid.origin.y) / grid.pitchY + slack_px);
   const double x1 = std::ceil((region.x1 - grid.origin.x) / grid.pitchX - slack_px);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// On which pixels a region of a document page is drawn: the grid of its embedded image, or one of our own.
-// docs/develop/decisions/0300-page-views-and-large-pictures.md. Private to importer/page.
+// Chooses the pixel grid on which a region of a document page is drawn: that of its embedded image, or a new
+// one. docs/develop/decisions/0300-page-views-and-large-pictures.md. Private to importer/page.
 
 #include <optional>
 #include <vector>

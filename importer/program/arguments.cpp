@@ -82,7 +82,7 @@ Rgb parseColor(const char* option, const std::string& text) {
 
 CLI::Validator within(double low, double high) { return numberWithin<CLI::Validator>(low, high); }
 
-/// Texts as typed, before they become values.
+/// Options as typed, before conversion to values.
 struct RawOptions {
   std::string frame, xAxis, yAxis, xUnit, yUnit, pressColor, releaseColor, pressLine, releaseLine;
   std::vector<std::string> masks;
@@ -230,7 +230,7 @@ void addLimits(CLI::App& app, Arguments& a) {
       ->capture_default_str();
 }
 
-/// The lines of a list, without empty ones.
+/// The lines of a list file, without empty ones.
 std::vector<std::string> listedInputs(std::istream& list) {
   std::vector<std::string> inputs;
   for (std::string line; std::getline(list, line);) {
@@ -240,7 +240,7 @@ std::vector<std::string> listedInputs(std::istream& list) {
   return inputs;
 }
 
-/// Inputs with the lists among them replaced by what they list.
+/// The inputs, with each list file replaced by the files it lists.
 std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
   std::vector<std::string> all;
   for (const std::string& input : inputs) {
@@ -260,8 +260,8 @@ std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
   return all;
 }
 
-/// Given options, one a line, without those that do not change a result: the places of the outputs, the
-/// number of processes, and the form of the report.
+/// The given options, one per line, without those that do not change a result: output paths, number of
+/// processes, and form of the report.
 std::string settledBy(const CLI::App& app) {
   static const std::set<std::string> besides{"INPUT",    "--batch", "--out-dir",   "--jobs",
                                              "--resume", "--json",  "--json-lines"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The command line of detent-import: a fixed contract, scripts rely on it.
+// The command line of detent-import. Its options are a fixed contract because scripts rely on them.
 
 #include <iosfwd>
 #include <map>
@@ -14,16 +14,18 @@
 namespace detent::importer {
 
 struct Arguments {
-  std::vector<std::string> inputs;  ///< one, or many with `batch`, lists read
+  std::vector<std::string> inputs;  ///< one file, or many with `batch`; file lists are already expanded
   ImportRequest request;            ///< path empty; page, graph, quality, hints, limits
   bool list = false;
   bool all = false;
   bool json = false;
-  bool pair = false;  ///< the release's file is in the hints, or in `releaseOf`, no longer among `inputs`
-  std::map<std::string, std::string> releaseOf;  ///< of a batch, by the press
+  /// press and release are in separate files; the release's is in the hints or in `releaseOf`, not in
+  /// `inputs`
+  bool pair = false;
+  std::map<std::string, std::string> releaseOf;  ///< for a batch: file of the release by file of the press
   bool ask = false;
   bool explain = false;
-  bool jsonLines = false;                                              ///< with it json
+  bool jsonLines = false;                                              ///< also sets `json`
   std::string buttonPath, csvPath, tracePath, overlayPath, stepsPath;  ///< empty: not written
 
   bool family = false;  ///< `inputs` are records of one button at different speeds
@@ -32,18 +34,19 @@ struct Arguments {
   bool resume = false;
   bool withoutOverlays = false;  ///< of a batch
   std::string outDir;
-  std::string settledBy;  ///< the options that bear on a result, as given, a line each
+  std::string settledBy;  ///< the options that affect a result, as given, one per line
   BatchOptions batchOptions;
   std::optional<double> timeLimit_s;  ///< of an input that is imported alone
 };
 
-/// `arguments` is empty where the program should end at once with `exitCode` (help, version, wrong usage).
+/// Result of parsing. `arguments` is empty if the program should end at once with `exitCode` (help, version,
+/// wrong usage).
 struct Parsed {
   std::optional<Arguments> arguments;
   int exitCode = 0;
 };
 
-/// Help and version go to `out`, what is wrong with the words to `err`.
+/// Help and version are written to `out`, error messages to `err`.
 Parsed parseArguments(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
 }  // namespace detent::importer

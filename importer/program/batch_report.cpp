@@ -27,7 +27,7 @@ std::string memberOf(const nlohmann::json& object, const char* name) {
   return object.is_object() && object.contains(name) && object[name].is_string() ? object[name] : "";
 }
 
-/// A name as the report and the journal have it: bytes that are no UTF-8 are replaced there.
+/// A file name as written to report and journal, where invalid UTF-8 is replaced.
 std::string asWritten(const std::string& input) {
   return nlohmann::json::parse(jsonText(nlohmann::json(input))).get<std::string>();
 }
@@ -36,7 +36,7 @@ std::string journalLine(const std::string& input, const Entry& entry) {
   return jsonText(nlohmann::json{{"input", input}, {"key", entry.key}, {"lines", entry.lines}}) + "\n";
 }
 
-/// Inputs of the journal with the key they were done under. A line that was cut off counts for nothing.
+/// The journal's inputs with the keys they were processed under. A truncated line is ignored.
 Journal journalIn(const std::string& path) {
   Journal entries;
   std::ifstream journal(path);
@@ -49,7 +49,7 @@ Journal journalIn(const std::string& path) {
   return entries;
 }
 
-/// The whole lines of a report per input.
+/// The complete lines of a report, by input.
 std::map<std::string, std::string> linesOfInputs(const std::string& path) {
   std::map<std::string, std::string> linesOf;
   std::ifstream report(path);
@@ -96,7 +96,7 @@ Result<BatchReport> BatchReport::open(const std::string& folder, const std::vect
       journalLines += journalLine(input, known->second);
       lines += std::exchange(linesOf[written], "");
     }
-    // The journal shrinks first: what it names is in the report at any moment.
+    // The journal is shortened first, so that at every moment all inputs it names are in the report.
     if (!writeTextFileAtomically(journal, journalLines) || !writeTextFileAtomically(report.path_, lines))
       return unwritable(report.path_);
   }
@@ -117,13 +117,13 @@ Result<Done> BatchReport::add(const std::string& input, const std::string& key, 
   }
   report_.close();
   std::error_code none;
-  fs::resize_file(path_, size_, none);  // no half line stays
+  fs::resize_file(path_, size_, none);  // removes a partial line
   return Failure{FailureCode::internalFault, path_, "", "the disk takes no more",
                  "Make room, then run it again with --resume"};
 }
 
 Result<Done> BatchReport::sortAs(const std::vector<std::string>& inputs) {
-  if (done_.empty()) return Done{};  // added in order
+  if (done_.empty()) return Done{};  // already in order
   report_.close();
   auto linesOf = linesOfInputs(path_);
   std::string lines;

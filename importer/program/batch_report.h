@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The report of a batch on the disk, and what a batch that goes on need not repeat.
+// The report of a batch on disk, and the record of inputs that a resumed batch need not repeat.
 
 #include <cstdint>
 #include <fstream>
@@ -13,30 +13,32 @@
 
 namespace detent::importer {
 
-/// Digest of what a result depends on: the input's bytes, the options and the version of the program. Empty where the input cannot be
-/// read: such an input is never done.
+/// Digest of what a result depends on: the input's bytes, the options and the version of the program. Empty
+/// where the input cannot be read: such an input is never done.
 std::string resultKey(const std::string& input, const std::string& options);
 
-/// `report.jsonl` of a folder, one line per graph, and `report.done` beside it, which names an input with its key and the number of its
-/// lines once all of them are complete: what a killed batch or a power cut left half, in either file, is dropped by the next one and made
-/// anew. One thread.
+/// `report.jsonl` in a folder has one line per graph. `report.done` beside it names an input, with its key
+/// and its number of lines, once all of its lines are complete. If a batch was killed or the power failed,
+/// the next one drops incomplete entries from both files and repeats those inputs. One thread.
 class BatchReport {
  public:
-  /// An empty report, or with `resume` the one that is there, cut down to those of `inputs` whose key is the one of now (`keyOf`) and whose
-  /// lines are all there.
-  /// Failure wrongUsage: the folder cannot be written to.
+  /// Opens an empty report. With `resume`, opens the existing one and keeps the entries of those `inputs`
+  /// whose key has not changed (`keyOf`) and whose lines are complete. Failure wrongUsage: the folder cannot
+  /// be written to.
   static Result<BatchReport> open(const std::string& folder, const std::vector<std::string>& inputs,
                                   const std::function<std::string(const std::string&)>& keyOf, bool resume);
 
   const std::string& path() const { return path_; }
   bool has(const std::string& input) const { return done_.count(input) > 0; }
-  std::size_t kept() const { return done_.size(); }  ///< inputs that the report answered when it was opened
+  /// number of inputs that were complete when the report was opened
+  std::size_t kept() const { return done_.size(); }
 
-  /// `lines`: complete, each ending in '\n'. Failure internalFault: the disk refused; the input is not done,
-  /// and no part of its lines stays. Nothing can be added after that.
+  /// `lines`: complete, each ending in '\n'. Failure internalFault: the disk refused to write; the input is
+  /// not done and none of its lines remains. Nothing can be added after that.
   Result<Done> add(const std::string& input, const std::string& key, const std::string& lines);
 
-  /// Puts the lines in the order of `inputs`, where kept ones stand before those that were added. Nothing can be added after that.
+  /// Sorts the lines in the order of `inputs`; entries that were kept stand before added ones. Nothing can be
+  /// added after that.
   Result<Done> sortAs(const std::vector<std::string>& inputs);
 
  private:

@@ -12,10 +12,10 @@
 namespace detent::importer {
 namespace {
 
-// Two records closer than that were meant to be of one speed: testers keep theirs to a few percent.
+// Speeds that differ by less were meant to be equal: testers keep a speed to a few percent.
 constexpr double sameSpeed = 1.05;
-// From here on a difference of speed is worth a graph of its own: what one record is off by, the change with
-// speed is off by over the difference of the two.
+// From this ratio on, a second speed is worth a graph of its own. With a smaller difference, the error of one
+// record becomes a large error of the change with speed.
 constexpr double otherSpeed = 1.5;
 
 template <class... Values>

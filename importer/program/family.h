@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Records of one button, pressed at different speeds, as one button with a graph at each speed.
+// Combines records of one button, pressed at different speeds, into one button with a graph for each speed.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace detent::importer {
 
-/// Remarks on such records; each is reported, none is a reason to refuse.
+/// Remarks about such records. They are reported; none is a reason to refuse.
 enum class FamilyDoubt {
-  speedsClose,   ///< two speeds so close that noise may be all their graphs differ by
-  pressUneven,   ///< one half of the press was much faster than the other: the graph is not of one speed
-  releaseApart,  ///< the release was much faster or slower than the press, and stands at the press' speed
+  speedsClose,  ///< two speeds are so close that the difference of their graphs may be noise
+  pressUneven,  ///< one half of the press was much faster than the other, so the graph has no single speed
+  /// the release was much faster or slower than the press; the graph is listed under the press's speed
+  releaseApart,
 };
 /// "speeds-close".
 const char* nameOf(FamilyDoubt doubt);
@@ -31,8 +32,8 @@ struct Family {
   std::vector<std::pair<FamilyDoubt, std::string>> doubts;  ///< with their sentences
 };
 
-/// Failures: those of an import; unreadableInput for a record without times; wrongUsage for what is no
-/// record, for fewer than two speeds, and for more than four records; a broken rule of Button.
+/// Failures: those of an import; unreadableInput for a record without times; wrongUsage for a file that is no
+/// record, for fewer than two speeds and for more than four records; a broken rule of Button.
 Result<Family> importFamily(const std::vector<std::string>& inputs, const ImportRequest& request,
                             const Progress& progress);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ends a cancelled program, whatever a library is busy with.
+// Ends a cancelled program even if a library does not return.
 
 #include <functional>
 #include <future>
@@ -8,9 +8,9 @@
 
 namespace detent::importer {
 
-/// While one lives, the process ends `grace_s` after `cancelled` was first true: files that are not complete
-/// are removed, the exit code is that of a cancelled import. Code that calls `cancelled` itself has that time
-/// to end in order. `cancelled` is called from a thread of its own.
+/// While an object exists, the process ends `grace_s` seconds after `cancelled` first returned true.
+/// Incomplete files are removed, and the exit code is that of a cancelled import. Code that polls `cancelled`
+/// itself can end regularly within that time. `cancelled` is called from a separate thread.
 class ForcedEnd {
  public:
   explicit ForcedEnd(std::function<bool()> cancelled, double grace_s = 0.3);

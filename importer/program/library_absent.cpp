@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Built where DETENT_WITH_LIBRARY is off: the library is named, and refused.
+// For builds without DETENT_WITH_LIBRARY: the command is recognised and refused.
 #include <cstdio>
 
 #include "importer/program/library_program.h"

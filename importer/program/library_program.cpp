@@ -38,7 +38,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Everything the command line says.
+/// All values of the command line.
 struct LibraryArguments {
   IndexRequest index;
   FindRequest find;
@@ -47,7 +47,7 @@ struct LibraryArguments {
   bool json = false, pages = false;
 };
 
-/// Number of a figure's unit inside that make one of the word's; empty for another unit's word.
+/// Number of internal units of a figure in one unit of this name; empty if the unit does not fit the figure.
 std::optional<double> factorOf(std::string_view unit, FigureUnit figure) {
   switch (figure) {
     case FigureUnit::mm:
@@ -69,12 +69,12 @@ std::optional<double> factorOf(std::string_view unit, FigureUnit figure) {
   return {};
 }
 
-/// One end of a range: a number, or nothing for an open end.
+/// One end of a range: a number, or `open` for an empty text.
 std::optional<double> endOf(std::string_view text, double open) {
   return text.empty() ? std::optional(open) : finiteNumberFrom(text);
 }
 
-/// "50..60gf", "..0.6N", "3.5..mm"; without a unit in mm, N, N/mm, mJ or shares.
+/// Parses "50..60gf", "..0.6N", "3.5..mm"; without a unit in mm, N, N/mm, mJ or shares.
 std::optional<FigureRange> rangeFrom(std::string_view text, const KeyFigureName& figure) {
   const std::size_t dots = text.find("..");
   if (dots == std::string_view::npos) return {};
@@ -256,7 +256,7 @@ Result<std::vector<LibrarySwitch>> switchesIn(const InputOutcome& outcome) {
                    "Import it by itself"};
   if (!line.contains("buttons")) {
     std::string reason = line.value("reason", std::string());
-    if (reason.ends_with('.')) reason.pop_back();  // a sentence is made of it again
+    if (reason.ends_with('.')) reason.pop_back();  // the full stop is added again later
     return Failure{
         static_cast<FailureCode>(line.value("code", static_cast<int>(FailureCode::unreadableInput))),
         "",
@@ -306,7 +306,7 @@ int runIndex(const LibraryArguments& a, const std::function<bool()>& cancelled) 
   return 0;
 }
 
-/// A figure in a column of the table; a dash where there is none.
+/// A figure in a table column; a dash if it is missing.
 std::string cell(const std::optional<double>& value, double unit, const char* format) {
   if (!value) return "-";
   char text[32];
@@ -374,11 +374,13 @@ void printNearest(const std::vector<NearMiss>& nearest) {
 }
 
 Result<Button> bentFrom(const LibrarySwitch& entry, const std::vector<FigureRange>& ranges) {
-  auto button = buttonOf(entry, Quality::draft);  // whose figures were compared
+  // the figures of the indexed switch, not of the imported button
+  auto button = buttonOf(entry, Quality::draft);
   return button ? buttonWithin(*button, ranges) : std::move(button);
 }
 
-/// Of the answer the first that can be bent into the ranges; why the first of all cannot, where none can.
+/// The first switch of the answer that can be bent into the ranges; if none can, the failure of the first
+/// one.
 Result<Button> wantedButton(const FoundSwitches& result, const std::vector<FigureRange>& ranges) {
   std::vector<const LibrarySwitch*> entries;
   for (const FoundSwitch& each : result.found) entries.push_back(&each.entry);
@@ -481,7 +483,7 @@ int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
   }
   int exitCode = 0;
   {
-    // Pages are read in processes, which have to be begun from a single thread.
+    // Pages are read in child processes, which must be started while there is a single thread.
     std::optional<ForcedEnd> end;
     if (!arguments.pages) end.emplace(cancelled);
     exitCode = index->parsed()    ? runIndex(arguments, cancelled)

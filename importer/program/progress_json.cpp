@@ -16,7 +16,7 @@ constexpr double shownEvery = 0.05;  // of the whole
 
 void printLine(const Json& json) {
   std::fprintf(stdout, "%s\n", jsonText(json).c_str());
-  std::fflush(stdout);  // who reads it acts on it
+  std::fflush(stdout);  // flushed at once, because a reader acts on each line
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// --json-lines: how far the work is, one JSON object a line on stdout; what --json prints is the last line.
+// --json-lines: progress as one JSON object per line on stdout; the last line is what --json prints.
 
 #include <cstddef>
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace detent::importer {
 
-/// Progress of one import: a line where another step begins, and at every twentieth of the whole. One thread.
+/// Progress of one import: one line at the start of each step and at every twentieth of the whole. One
+/// thread.
 class StepLines {
  public:
   void show(double fraction, ImportStep step);  ///< 0..1 over the whole import

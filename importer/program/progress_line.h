@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One line on a terminal that says how far the work is; silent where stderr is not a terminal.
+// Shows progress in one line of a terminal; silent if stderr is no terminal.
 
 #include <string_view>
 

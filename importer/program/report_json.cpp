@@ -70,7 +70,7 @@ Json readingsJson(const std::vector<ReadingSummary>& readings) {
   return all;
 }
 
-/// "warnings" in words, for people and old scripts, and their codes in the same order.
+/// Adds "warnings" as sentences, for people and old scripts, and their codes in the same order.
 void addRemarks(Json& json, const std::vector<Remark>& remarks) {
   json["warnings"] = Json::array();
   json["warning_codes"] = Json::array();

@@ -21,10 +21,10 @@ std::string failureJson(const Failure& failure, const std::string& input,
                         const std::vector<PlotSwitch>& switches = {},
                         const std::optional<Question>& question = {},
                         const std::vector<ExplainedInterpretation>& explained = {});
-/// {"records":[...]}: what a table holds.
+/// {"records":[...]}: the records in a table.
 std::string recordsJson(const std::vector<ListedRecord>& records);
 
-/// A graph with what it shows.
+/// A listed graph with the switches it shows.
 struct ListedPlot {
   ListedGraph graph;
   std::vector<PlotSwitch> switches;

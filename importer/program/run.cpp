@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 constexpr int interruptedExitCode = static_cast<int>(FailureCode::cancelled);
 
-/// Where one import's results go; empty paths are not wanted.
+/// Output files of one import; an empty path is not written.
 struct OutputPaths {
   std::string button, csv, trace, overlay, steps;
 };
@@ -74,8 +74,8 @@ Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const 
   return outputs.paths();
 }
 
-/// Of a refused import the overlay alone is written: what it looked at and what it left over. Says so, in a
-/// line.
+/// Writes the overlay of a refused import, which shows what was found and what was left over. Returns a line
+/// that says so.
 std::string writeRefusal(const GraphEvidence& evidence, const Failure& why, const OutputPaths& paths) {
   if (paths.overlay.empty() || why.code != FailureCode::notCertain) return {};
   StagedOutputs outputs;
@@ -85,7 +85,7 @@ std::string writeRefusal(const GraphEvidence& evidence, const Failure& why, cons
               : done.failure().sentence() + "\n";
 }
 
-/// Writes what each step found, whatever came of it. Says so where it cannot, in a line.
+/// Writes what each step found, even for a refused import. Returns a line if that fails.
 std::string writeSteps(const ImportAttempt& attempt, const std::string& input, const std::string& path) {
   if (path.empty()) return {};
   StagedOutputs outputs;
@@ -104,7 +104,7 @@ std::string warningLines(const std::vector<Remark>& remarks) {
 struct Reported {
   std::vector<std::string> objects = {};  ///< JSON, one for each graph
   std::string text = {};
-  bool written = true;                    ///< false: the disk refused an output
+  bool written = true;                    ///< false: an output could not be written
   std::optional<Question> question = {};  ///< of the last graph
   bool explains = false;                  ///< include the evidence of readings
 };
@@ -116,7 +116,7 @@ std::string choiceLines(const std::optional<Question>& question) {
   return lines;
 }
 
-/// Puts a question on the terminal. nullopt: no answer that is one of its numbers.
+/// Asks the question on the terminal. nullopt if the answer is none of its numbers.
 std::optional<Choice> answerTo(const Question& question) {
   std::fprintf(stderr, "%s?\n", question.what.c_str());
   for (std::size_t i = 0; i < question.choices.size(); ++i)
@@ -155,7 +155,7 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
   return 0;
 }
 
-/// Every graph of an input. The exit code is 0 if each came through, else the first failure's.
+/// Imports every graph of an input. The exit code is 0 if all succeeded, else that of the first failure.
 int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress,
               Reported& reported) {
   const auto refused = [&](const Failure& failure) {
@@ -171,7 +171,7 @@ int importAll(const ImportRequest& request, const OutputPaths& paths, const Prog
   if (!listed) return refused(listed.failure());
   reported.text += warningLines(listed->remarks);
   if (listed->graphs.empty())
-    return importOne(*session, request, paths, progress, reported);  // says why there is none
+    return importOne(*session, request, paths, progress, reported);  // reports why there is no graph
   int exitCode = 0;
   for (const ListedGraph& graph : listed->graphs) {
     ImportRequest one = request;
@@ -242,7 +242,7 @@ int runImport(const Arguments& a, const Progress& progress) {
   if (a.all) {
     exitCode = importAll(request, paths, progress, reported);
     print(a, "{\"imports\":[" + joined(reported.objects, ",") + "]}\n", reported.text,
-          exitCode);  // still one object
+          exitCode);  // one object for all graphs
     return exitCode;
   }
   auto session = ImportSession::open(request.path, request.limits);
@@ -296,7 +296,7 @@ std::string recordsText(const std::vector<ListedRecord>& records) {
   return text;
 }
 
-/// The switches each listed graph shows.
+/// The listed graphs with the switches that each shows.
 Result<std::vector<ListedPlot>> listedPlots(ImportSession& session, std::vector<ListedGraph> graphs,
                                             const ImportRequest& request, const Progress& progress) {
   std::vector<ListedPlot> plots;
@@ -342,7 +342,7 @@ int runList(const Arguments& a, const Progress& progress) {
   return exitCode;
 }
 
-/// A result name per input that no other input has: the file's stem, with as many parent folders as it takes.
+/// A unique result name for each input: the file's stem, preceded by as many parent folders as necessary.
 std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& inputs) {
   std::map<std::string, std::string> stems;
   std::set<std::string> taken;
@@ -368,7 +368,7 @@ class AcceptedByBar {
       if (bar >= sure) counts_[bar] = 0;
   }
 
-  /// Lines of the report, one object each.
+  /// Counts report lines, one object each.
   void count(const std::string& lines) {
     std::istringstream each(lines);
     for (std::string line; std::getline(each, line);) {
@@ -400,9 +400,9 @@ class AcceptedByBar {
   std::map<double, std::size_t> counts_;
 };
 
-/// In the child: a fault that reaches here costs this input only.
+/// Runs in the child process; an exception that arrives here affects this input only.
 int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, Reported& reported) {
-  constexpr double beforeTheEnd = 0.9;  // of the limit: what is read by then can still be handed over
+  constexpr double beforeTheEnd = 0.9;  // of the time limit: results so far can still be reported
   ImportRequest request = a.request;
   request.path = input;
   if (const auto pair = a.releaseOf.find(input); pair != a.releaseOf.end())
@@ -419,8 +419,8 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
   }
 }
 
-/// Stands for the key of an input whose outputs the disk refused: that is no finding about the input, and
-/// ends the batch.
+/// Key for an input whose outputs could not be written. That says nothing about the input, and it ends the
+/// batch.
 constexpr const char* notWritten = "outputs not written";
 
 /// Answer of a child process: the key of its input on the first line, then the lines of the report.
@@ -428,7 +428,8 @@ std::string withKey(const std::string& key, const Reported& reported) {
   return (reported.written ? key : notWritten) + "\n" + joined(reported.objects, "\n") + "\n";
 }
 
-/// Of a child that died without a key: whatever killed it, the next batch tries again.
+/// The answer of a child. One that died without a key gets none, so that the next batch tries its input
+/// again.
 std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome) {
   if (outcome.death.empty()) {
     const std::size_t end = outcome.reportLines.find('\n');
@@ -478,10 +479,11 @@ int refuseBatch(const Failure& failure) {
 int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   std::error_code error;
   fs::create_directories(a.outDir, error);
-  std::string settledBy = a.settledBy;  // a release that changed does them all again
+  std::string settledBy = a.settledBy;  // a changed release file repeats all inputs
   for (const auto& [press, release] : a.releaseOf) settledBy += resultKey(release, "") + "\n";
   const auto stems = uniqueStems(a.inputs);
-  // A page whose results would get another name is read again: its old name may be another page's now.
+  // An input whose result would get another name is read again, because its old name may now belong to
+  // another input.
   const auto keyOf = [&](const std::string& input) {
     return resultKey(input, settledBy + "\n" + stems.at(input));
   };
@@ -495,7 +497,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   if (const auto before = readTextFile(report->path())) accepted.count(*before);  // kept by --resume
   Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
-    const std::string key = keyOf(input);  // of what is about to be read
+    const std::string key = keyOf(input);  // key of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
     Reported reported{.explains = a.explain};
     const int code = handleInput(a, input,
@@ -519,7 +521,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
     line.show(double(counts.handled) / double(inputs.size()), outcome.input);
     if (a.jsonLines) showInputDone(outcome.input, outcome.exitCode, counts.handled, inputs.size());
   };
-  if (inputs.size() > 1) loadTextEngine();  // once, not in every child
+  if (inputs.size() > 1) loadTextEngine();  // loaded once here, not in every child
   const auto ran =
       runIsolated(inputs, a.batchOptions, handle, finished, [&] { return !kept || cancelled(); });
   if (!kept) return refuseBatch(kept.failure());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Output files that appear all together or not at all: nothing is left behind or half
-// overwritten.
+// Output files that appear all together or not at all: a failed run leaves no partial file and overwrites
+// nothing.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace detent::importer {
 
-/// Collects a run's output files beside their places; `commit` puts them there. What is not committed is
+/// Writes a run's output files beside their final paths; `commit` moves them there. Without a commit they are
 /// removed.
 class StagedOutputs {
  public:

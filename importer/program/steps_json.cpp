@@ -12,7 +12,7 @@ namespace {
 
 using StepsJson = nlohmann::ordered_json;
 
-/// To a hundredth of a pixel.
+/// Rounded to a hundredth of a pixel.
 double rounded(double value_px) { return std::round(value_px * 100) / 100; }
 
 StepsJson boxJson(const Box& box) {

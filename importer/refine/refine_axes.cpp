@@ -17,13 +17,14 @@ namespace detent::importer {
 namespace {
 
 constexpr int mapUnknowns = 8, bendUnknowns = 5;
-constexpr double far_px = 1;  // places farther off count linearly: a curve or a letter stands there
+// places farther from their line count linearly, because a curve or a letter stands there
+constexpr double far_px = 1;
 constexpr double weakly =
-    0.02;  // holds the place a bend moves from where nothing bends, in units of half the frame
+    0.02;  // fixes the centre of the bend if nothing is bent; in units of half the frame
 constexpr int placesPerLine =
-    4;  // of a line's places stand for themselves: where it is, its lean, its bend, one for the rest
+    4;  // number of independent values in one line's places: position, tilt, bend, and one for the rest
 
-/// Where a place lies on a sheet: its unknowns as Ceres sees them, `n` in scaled view pixels.
+/// Projected position of a place on a sheet: its unknowns as Ceres passes them, `n` in scaled view pixels.
 template <typename T>
 void onSheet(const T* map, const T* bend, Point n, T* units) {
   const T away = bend[0] * (n.x * n.x) + bend[1] * (n.x * n.y) + bend[2] * (n.y * n.y);
@@ -33,7 +34,7 @@ void onSheet(const T* map, const T* bend, Point n, T* units) {
   units[1] = (map[3] * x + map[4] * y + map[5]) / w;
 }
 
-/// Distance of a place from its line, view pixels.
+/// Residual: distance of a place from its line, view pixels.
 struct OffItsLine {
   Point n;
   int axis;
@@ -106,13 +107,13 @@ class SheetProblem {
                               nullptr, bend());
   }
 
-  /// For lines that cannot tell a twist from a tilt: the product of both directions stays out of the bend.
+  /// For lines that cannot distinguish a twist from a tilt: fixes the bend's mixed term (xy).
   void holdTwist() {
     problem_.SetManifold(bend(), new ceres::SubsetManifold(bendUnknowns, {1}));
     freeOfBend_ = {8, 10, 11, 12};
   }
 
-  /// Least cost with what the shape leaves free, from where the last solve ended.
+  /// Least cost with the unknowns that the shape leaves free, starting from the last solution.
   double solve(SheetShape shape) {
     hold(map(), shape == SheetShape::asRead);
     hold(bend(), shape != SheetShape::bent);
@@ -132,7 +133,7 @@ class SheetProblem {
   const SheetUnknowns& unknowns() const { return unknowns_; }
   void setUnknowns(const SheetUnknowns& unknowns) { unknowns_.at = unknowns.at; }
 
-  /// Of what the last solve left free, with all places of one line sharing errors.
+  /// Covariance of the unknowns that the last solve left free. All places of one line share errors.
   SheetCovariance covariance(int lines);
 
  private:
@@ -161,13 +162,13 @@ class SheetProblem {
   SheetUnknowns unknowns_;
   std::vector<double> values_;
   std::vector<int> lineOf_;                        // of each place
-  std::vector<int> freeOfBend_{8, 9, 10, 11, 12};  // among SheetUnknowns::at
+  std::vector<int> freeOfBend_{8, 9, 10, 11, 12};  // indices in SheetUnknowns::at
   ceres::Problem problem_;
   double cost_ = 0;
 };
 
-/// Number of neighbouring residuals along a line that share one error: the integrated autocorrelation, lag by
-/// lag until it is spent.
+/// Number of neighbouring residuals along a line that share one error: the integrated autocorrelation, summed
+/// until it vanishes.
 double placesPerError(const std::vector<double>& residuals, const std::vector<int>& lineOf) {
   double variance = 0;
   for (const double r : residuals) variance += r * r;
@@ -187,7 +188,7 @@ SheetCovariance SheetProblem::covariance(int lines) {
   SheetCovariance covariance{};
   ceres::Problem::EvaluateOptions options;
   std::vector<double*> blocks;
-  std::vector<int> at;  // of each leading column among SheetUnknowns::at
+  std::vector<int> at;  // index in SheetUnknowns::at of each leading column
   if (!problem_.IsParameterBlockConstant(map())) {
     blocks.push_back(map());
     for (int k = 0; k < mapUnknowns; ++k) at.push_back(k);
@@ -225,12 +226,13 @@ SheetCovariance SheetProblem::covariance(int lines) {
   return covariance;
 }
 
-/// Information from the lines of one axis.
+/// Counts of the lines of one axis.
 struct LineMap {
   int lengthwise = 0;  ///< lines seen along their length
   int known = 0;       ///< of known value
   bool enough() const { return lengthwise >= 2 && known >= 2; }
-  bool twist() const { return lengthwise >= 3; }  ///< two edges alone show it as a tilt
+  /// with only two lines a twist is indistinguishable from a tilt
+  bool twist() const { return lengthwise >= 3; }
 };
 
 LineMap mapBy(const std::vector<SightedLine>& lines, bool ofForce) {
@@ -243,7 +245,7 @@ LineMap mapBy(const std::vector<SightedLine>& lines, bool ofForce) {
   return lineMap;
 }
 
-/// Returns true if the lower cost is worth the additional unknowns (Schwarz 1978), counting independent
+/// Returns true if the lower cost justifies the additional unknowns (Schwarz 1978), counting independent
 /// samples.
 bool worthIt(double before, double after, int unknowns, int lines) {
   const double independent = placesPerLine * lines;
@@ -300,7 +302,7 @@ std::optional<RefinedAxes> refineAxes(const PageView& view, const PlotFrame& fra
   if (refined.shape != SheetShape::bent) {
     problem.setUnknowns(refined.shape == SheetShape::tilted ? unknownsTilted : unknownsAsRead);
     problem.solve(
-        SheetShape::tilted);  // also where the axes stay: their error is that of a sheet that may lie so
+        SheetShape::tilted);  // also if the axes stay: their error is that of a sheet that may be tilted
     if (refined.shape == SheetShape::asRead) problem.setUnknowns(unknownsAsRead);
   }
   const double least = refined.shape == SheetShape::bent     ? bent

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Between strokes and fit, at `precise`: the axes once more, from every place where a line of the plot was
-// seen, at one common minimum. In: the axes as read. Out: perspective and bend of the sheet, as far as the
-// lines bear evidence of them, with the covariance from which the error of any point follows
-// (docs/develop/decisions/0206-axes-from-whole-lines.md). The strokes' own points are no part of the problem:
-// they say where a curve runs in the picture, and nothing of where the axes are. What they share no unknown
-// with has its minimum apart from theirs. Reading order: sighted_lines.h -> refine_axes.h
+// Between strokes and fit, at `precise`: refines the axes from all places where a line of the plot is
+// visible, in one least-squares problem. In: the axes as read. Out: perspective and bend of the sheet as far
+// as the lines determine them, with the covariance from which the error at any point follows
+// (docs/develop/decisions/0206-axes-from-whole-lines.md). The strokes' points are not part of the problem:
+// they show where a curve lies in the picture, but not where the axes are, and so share no unknown with it.
+// Reading order: sighted_lines.h -> refine_axes.h
 
 #include <array>
 #include <optional>
@@ -18,17 +18,17 @@ namespace detent::importer {
 
 /// Shape of the sheet, from the simplest to the most complex that lines can determine.
 enum class SheetShape {
-  asRead,  ///< the calibration explains the lines
-  tilted,  ///< another perspective
-  bent     ///< perspective and bend
+  asRead,  ///< no correction: the calibration explains the lines
+  tilted,  ///< corrected perspective
+  bent     ///< corrected perspective, and bend
 };
 
-/// The unknowns of a sheet, about 1 each: eight of the perspective (row-major, its ninth is 1), three of the
-/// bend's depth, two of the place it moves from.
+/// The unknowns of a sheet, each scaled to about 1: eight of the perspective (row-major, the ninth is 1),
+/// three of the bend's depth, two of its centre.
 struct SheetUnknowns {
   static constexpr int count = 13;
   std::array<double, count> at{};
-  Point middle_px, middle_mm_N, half_mm_N;  ///< origin and size of the numbers' scales
+  Point middle_px, middle_mm_N, half_mm_N;  ///< origin and scale of the normalised coordinates
   double half_px = 1;
 
   Point toUnits(Point view_px) const;  ///< mm, N
@@ -39,19 +39,19 @@ using SheetCovariance = std::array<std::array<double, SheetUnknowns::count>, She
 struct RefinedAxes {
   AxisCalibration calibration;
   SheetShape shape = SheetShape::asRead;
-  int lines = 0, places_ = 0;  ///< seen
-  /// Rms distance of the places from their lines, large ones held down (Huber, 1 px), with the axes as read
-  /// and as they are now.
+  int lines = 0, places_ = 0;  ///< number of lines, and of places on them, that were seen
+  /// Rms distance of the places from their lines, with large distances limited (Huber, 1 px): with the axes
+  /// as read, and with the refined ones.
   double before_px = 0, after_px = 0;
-  PointNoise sigmaAt(Point mm_N) const;  ///< error that all points near this one share, mm and N
+  PointNoise sigmaAt(Point mm_N) const;  ///< common error of all points near this one, mm and N
 
   SheetUnknowns unknowns;
-  SheetCovariance covariance{};  ///< 0 where nothing was free
+  SheetCovariance covariance{};  ///< 0 if nothing was refined
 };
 
-/// Empty if the lines do not determine it: fewer than two lines of known value, or two seen along their
-/// length, on either axis; no picture; cancelled. A twist is fitted only if three lines are seen along their
-/// length on both axes. Deterministic. Any thread.
+/// Empty if the lines do not determine the axes: on either axis fewer than two lines of known value or fewer
+/// than two seen along their length; no picture; cancelled. A twist is fitted only if on both axes three
+/// lines are seen along their length. Deterministic. Any thread.
 std::optional<RefinedAxes> refineAxes(const PageView& view, const PlotFrame& frame,
                                       const AxisCalibration& calibration, const Progress& progress = {});
 

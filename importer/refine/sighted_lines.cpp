@@ -12,17 +12,17 @@
 namespace detent::importer {
 namespace {
 
-constexpr int positions = 48;          // along a line
+constexpr int positions = 48;          // places examined along a line
 constexpr double leastSeen = 1.0 / 3;  // of them
-constexpr double apart_px = 3;         // nearer lines are one
+constexpr double apart_px = 3;         // closer lines count as one
 constexpr double leastContrast = 7;    // grey levels of a mean profile, as for the lines of a frame
-constexpr int halfWidest_px = 9;       // thicker ones are bars
+constexpr int halfWidest_px = 9;       // thicker lines are bars
 
-/// One axis of a plot, so that both are looked at in the same way: across = across the line, along = along
+/// One axis of a plot, presented so that both axes are treated alike: across = across the line, along = along
 /// it.
 struct AxisView {
   bool ofForce;
-  const cv::Mat& darkness;  // rows run along the line
+  const cv::Mat& darkness;  // with rows along the line
   const AxisCalibration& calibration;
 
   const AxisReading& reading() const { return ofForce ? calibration.y : calibration.x; }
@@ -47,7 +47,7 @@ struct AxisView {
 double acrossOf(Point p, bool ofForce) { return ofForce ? p.y : p.x; }
 double alongOf(Point p, bool ofForce) { return ofForce ? p.x : p.y; }
 
-/// Centroid of the ridge about a crest, above the line between its ends; empty if there is none or it is too
+/// Centroid of the ridge around a crest, above the line between its ends; empty if there is none or it is too
 /// thick.
 std::optional<double> centreOf(const std::vector<double>& profile, int crest) {
   const auto at = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
@@ -91,7 +91,7 @@ std::optional<double> ridgeNear(const cv::Mat& d, double across, double along, d
   return best;
 }
 
-/// Follows one line; each place is looked for beside where the last ones stood off the calibration.
+/// Measures one line; each place is searched near the offset from the calibration that the last places had.
 SightedLine sightLine(const AxisView& axis, double about, double reach_px) {
   SightedLine line{axis.ofForce, about, {}, {}};
   const Point from = axis.at(about, 0), to = axis.at(about, 1);
@@ -108,7 +108,7 @@ SightedLine sightLine(const AxisView& axis, double about, double reach_px) {
   return line;
 }
 
-/// Values of labels in mm or N with the pixel of their tick along the axis; the frame's ends where no label
+/// Values of labels in mm or N with the pixel of their tick along the axis; of the frame's ends if no label
 /// counts.
 struct Known {
   double position_px, value;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where the lines of a plot really run: gridlines, edges and ticks of known axes, seen at many places along
-// each.
+// Measures where the lines of a plot really run: gridlines, edges and ticks of known axes, each at many
+// places.
 
 #include <optional>
 #include <vector>
@@ -13,14 +13,16 @@ namespace detent::importer {
 
 /// One line of equal displacement or equal force, as drawn.
 struct SightedLine {
-  bool ofForce = false;         ///< a level line; else one of equal displacement
-  double about = 0;             ///< mm or N by the calibration it was looked for with
-  std::optional<double> value;  ///< mm or N, if a label or the user gives it; else only known to be one value
+  /// true: a horizontal line of equal force; false: a vertical one of equal displacement
+  bool ofForce = false;
+  double about = 0;  ///< mm or N by the calibration with which it was searched
+  /// mm or N if a label or the user gives it; otherwise the line is only known to have one value
+  std::optional<double> value;
   std::vector<Point> points_px;  ///< view pixels, sub-pixel across the line, in order along it; 1 for a tick
 };
 
-/// The plot's lines in a view, looked for where the calibration has them. Lines of which less than a third is
-/// seen, or that stand within 3 px of another, are left out. Any thread.
+/// The plot's lines in a view, searched near their positions by the calibration. Lines of which less than a
+/// third is visible, or that lie within 3 px of another, are left out. Any thread.
 std::vector<SightedLine> sightLines(const PageView& view, const PlotFrame& frame,
                                     const AxisCalibration& calibration);
 

@@ -18,11 +18,11 @@ namespace {
 
 struct Phrases {
   SpecQuantity quantity;
-  std::array<std::string_view, 9> words;  // empty ones at the end
+  std::array<std::string_view, 9> words;  // unused ones at the end are empty
 };
 
-// As datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not
-// "force".
+// Phrases of datasheets in lower case without spaces. Longer ones come first: "pressurepointforce" must not
+// match "force".
 constexpr Phrases phrases[] = {
     {SpecQuantity::tactileForce, {"pressurepointforce", "tactileforce", "druckpunktkraft", "触感力"}},
     {SpecQuantity::endForce, {"totaltravelforce", "endforce", "endkraft"}},
@@ -45,7 +45,8 @@ bool measuredInNewton(SpecQuantity quantity) {
          quantity == SpecQuantity::endForce;
 }
 
-/// ASCII lower case without spaces; other UTF-8 untouched. `from`: where each byte stood in the text.
+/// A text in lower case (ASCII) without spaces; other UTF-8 is unchanged. `from`: position of each byte in
+/// the original text.
 struct Squeezed {
   std::string text;
   std::vector<std::size_t> from;
@@ -62,7 +63,7 @@ Squeezed squeezed(const std::string& text) {
   return out;
 }
 
-/// A quantity and where in the row its name ends.
+/// A quantity and the position in the row where its name ends.
 struct NamedQuantity {
   SpecQuantity quantity;
   std::size_t end;
@@ -83,7 +84,7 @@ std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
     const std::string_view word = words.front();
     if (text.rfind(word, 0) != 0) continue;
     const std::string_view rest = std::string_view(text).substr(word.size());
-    if (rest.starts_with('(') || rest.starts_with("\xEF\xBC\x88"))  // full-width (
+    if (rest.starts_with('(') || rest.starts_with("\xEF\xBC\x88"))  // full-width bracket
       return ending(0, quantity, word);
   }
   return {};
@@ -93,7 +94,7 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isAsciiSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Reads a row from left to right. A step without a match does not move.
+/// Reads a row from left to right. A step that does not match leaves the position unchanged.
 struct RowReader {
   std::string_view row;
   std::size_t at = 0;
@@ -102,7 +103,7 @@ struct RowReader {
   void skipSpaces() {
     while (!done() && isAsciiSpace(row[at])) ++at;
   }
-  /// ASCII letters from here on, at most `most`.
+  /// The next ASCII letters, at most `most`.
   std::string_view letters(std::size_t most = std::string_view::npos) {
     const std::size_t from = at;
     while (!done() && isAsciiLetter(row[at]) && at - from < most) ++at;
@@ -138,7 +139,7 @@ struct RowReader {
   }
 };
 
-/// The unit of a quantity's kind that the row prints, as a factor to mm or N.
+/// Factor to mm or N of the first unit in the row that fits the quantity.
 std::optional<double> factorIn(std::string_view row, SpecQuantity quantity) {
   constexpr std::array<std::string_view, 10> unitWords{"mm", "cN", "mN",  "gf", "g",
                                                        "N",  "oz", "ozf", "in", "inch"};
@@ -178,7 +179,7 @@ std::optional<PrintedSpec> valuesIn(std::string_view row) {
   PrintedSpec spec;
   const auto plusMinus = [](RowReader& reader) {
     reader.skipSpaces();
-    reader.letters(3);  // a unit
+    reader.letters(3);  // skips a unit
     reader.skipSpaces();
     return reader.plusMinus();
   };
@@ -208,9 +209,9 @@ std::optional<PrintedSpec> valuesIn(std::string_view row) {
   return spec;
 }
 
-/// The values of a row with a column per variant of the product, "3.0 ± 0.4 4.0 ± 0.4 mm": every one in the
-/// row's unit. With words of bounds, which belong to one value, and where a number has another unit or is no
-/// value: the first alone.
+/// The values of a row with one column per variant of the product, "3.0 ± 0.4 4.0 ± 0.4 mm", all in the row's
+/// unit. Only the first one if the row has words for bounds, which belong to a single value, or if a number
+/// has another unit or is no value.
 std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantity, double rowFactor) {
   const auto first = valuesIn(row);
   if (!first) return {};
@@ -302,12 +303,12 @@ std::optional<double> readValue(SpecQuantity quantity, const ButtonState& state)
 
 namespace {
 
-/// Variants of one product: one line of the page.
+/// Returns true if both values are of one row, that is of variants of one product.
 bool ofOneRow(const PrintedSpec& a, const PrintedSpec& b) {
   return a.quantity == b.quantity && a.page == b.page && a.text == b.text;
 }
 
-/// The variant that the graph is of is the one it agrees with, else the nearest.
+/// The graph's variant is the one that agrees with it, else the nearest.
 bool fitsBetter(const SpecCheck& a, const SpecCheck& b) {
   if (a.agrees != b.agrees) return a.agrees;
   return std::abs(a.read - a.spec.nominal) < std::abs(b.read - b.spec.nominal);
@@ -335,7 +336,7 @@ std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
     const auto named = quantityNamedIn(row);
     if (!named) continue;
     const auto factor = factorIn(row, named->quantity);
-    // Text before the name is the row's number, unless there is none after it.
+    // A text before the name is the number of the row, unless no unit follows the name.
     if (!factor) continue;
     auto variants = variantsIn(row.substr(named->end), named->quantity, *factor);
     if (variants.empty()) variants = variantsIn(row, named->quantity, *factor);
@@ -354,7 +355,7 @@ std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
 }
 
 std::vector<SpecCheck> checkAgainst(const std::vector<PrintedSpec>& specs, const Button& button) {
-  // A graph is drawn, not measured: reading it cannot be better than a percent or so.
+  // Least tolerances. A graph is drawn, not measured: reading it is no more accurate than about a percent.
   constexpr double readingShare = 0.015, bareShare = 0.03;
   std::vector<SpecCheck> checks;
   for (const PrintedSpec& spec : specs) {

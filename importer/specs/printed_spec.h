@@ -38,8 +38,8 @@ Message messageOf(const SpecCheck& check);
 /// out. A row with a value for each variant of the product gives one spec for each.
 std::vector<PrintedSpec> readPrintedSpecs(const Page& page);
 
-/// Compares what the button has, with the variant of a row that comes nearest; specs of quantities it has not
-/// (no operating point known) give no check.
+/// Compares the specs with the button. If a row has values for several variants, the nearest one counts.
+/// Specs of quantities that the button does not have (no operating point known) give no check.
 std::vector<SpecCheck> checkAgainst(const std::vector<PrintedSpec>& specs, const Button& button);
 
 }  // namespace detent::importer

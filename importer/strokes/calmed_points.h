@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A stroke's points without single outliers.
+// Removes single outliers from a stroke's points.
 
 #include <algorithm>
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace detent::importer {
 
-/// Each point as the median of it and its two neighbours, in displacement and in force; an end as the point
-/// beside it. Fewer than three are left as they are. For judging a whole (extent, sign, direction), not for
-/// tracing: a bottom-out's only sample goes, too.
+/// Each point is replaced by the median of itself and its two neighbours, in displacement and in force; an
+/// end by its neighbour. Fewer than three points stay unchanged. For judging the whole stroke (extent, sign,
+/// direction), not for tracing, because it may remove the only sample of a bottom-out.
 inline std::vector<CurvePoint> calmed(const std::vector<CurvePoint>& points) {
   if (points.size() < 3) return points;
   const auto middle = [](double a, double b, double c) {

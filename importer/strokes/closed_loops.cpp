@@ -15,7 +15,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// A trace from left to right, and the room it takes.
+/// A trace from left to right, with its bounding box.
 struct CurvePath {
   std::vector<Point> points_px;
   Box room_px;
@@ -29,7 +29,7 @@ CurvePath pathOf(const CurveTrace& trace) {
   return path;
 }
 
-/// Row of the path in a column, between its points; the outermost ones beyond its ends.
+/// Row of the path at a column, interpolated; beyond its ends the row of the end.
 double rowAt(const CurvePath& path, double column_px) {
   const auto right = std::ranges::lower_bound(path.points_px, column_px, {}, &Point::x);
   if (right == path.points_px.begin()) return right->y;
@@ -41,14 +41,14 @@ double rowAt(const CurvePath& path, double column_px) {
 /// The highest point: where a stroke meets the bottom-out.
 Point tipOf(const CurvePath& path) { return *std::ranges::min_element(path.points_px, {}, &Point::y); }
 
-/// Largest distance of two paths' ends, as shares of their common bounding box. On a bottom-out the visible
-/// tip depends on the line that covers the other one; at rest, where all curves begin, more of a line is
-/// covered.
+/// Largest allowed distances of two paths' ends, as shares of their common bounding box. On a bottom-out the
+/// visible tip depends on the line that covers the other one; at rest, where all curves begin, more of a line
+/// is covered.
 struct Apart {
   double atRest, across, along;
 };
 
-/// Returns true if both run over the same columns and up to the same tip.
+/// Returns true if both paths cover the same columns and have the same tip.
 bool endTogether(const CurvePath& a, const CurvePath& b, Apart most) {
   const Box joinedRoom = a.room_px.joined(b.room_px);
   const Point tipA = tipOf(a), tipB = tipOf(b);
@@ -58,7 +58,8 @@ bool endTogether(const CurvePath& a, const CurvePath& b, Apart most) {
          std::abs(tipA.y - tipB.y) <= along_px;
 }
 
-/// Returns true if `upper` lies above `lower` wherever they separate, and they do over most of their length.
+/// Returns true if `upper` lies above `lower` wherever they separate, and they are separate over most of
+/// their length.
 bool enclose(const CurvePath& upper, const CurvePath& lower) {
   constexpr int columns = 100;
   constexpr double clear = 0.01, mostBelow = 0.02, leastAbove = 0.5;  // the first of the height
@@ -74,14 +75,14 @@ bool enclose(const CurvePath& upper, const CurvePath& lower) {
   return above >= leastAbove * columns && below <= mostBelow * columns;
 }
 
-/// A release begins where the press ended.
+/// Returns true if the ends lie far apart. A release begins where the press ended.
 bool endFarApart(const CurvePath& a, const CurvePath& b) {
-  constexpr double farShare = 0.1;  // of the width both take
+  constexpr double farShare = 0.1;  // of the width that both take together
   return std::abs(a.room_px.x1 - b.room_px.x1) > farShare * a.room_px.joined(b.room_px).width();
 }
 
-/// Where both run, the share of the columns in which the one lies clearly above the other, of both the
-/// smaller one: 0 where they do not cross.
+/// Smaller of the shares of common columns in which either curve lies clearly above the other; 0 if they do
+/// not cross.
 double crossedShare(const CurvePath& a, const CurvePath& b) {
   constexpr int columns = 100;
   constexpr double clear = 0.02;  // of the height
@@ -97,8 +98,8 @@ double crossedShare(const CurvePath& a, const CurvePath& b) {
   return to_px > from_px ? std::min(above, below) / static_cast<double>(columns) : 0;
 }
 
-/// Distance of the far ends of both from the other line, of the two the nearer one, in shares of their common
-/// bounding box: of measured switches no release begins farther than 0.007 from its press
+/// Smaller distance of a far end from the other line, as a share of their common bounding box. Among measured
+/// switches no release begins farther than 0.007 from its press
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
   const Box joinedRoom = a.room_px.joined(b.room_px);
@@ -116,27 +117,28 @@ double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
   return std::min(gap(ofA, ofB), gap(ofB, ofA));
 }
 
-/// Returns true if both begin and end in one point, as press and release of one switch do and two presses do
+/// Returns true if both begin and end in one point, as press and release of one switch do but two presses do
 /// not: of 238 pairs of drawn presses none ended within 0.03 of each other, of 550 switches 523 within 0.01.
 bool endInOnePoint(const CurvePath& a, const CurvePath& b) {
   constexpr Apart closed{0.03, 0.01, 0.025};
-  constexpr double mostGap = 0.005;  // of the room both take
+  constexpr double mostGap = 0.005;  // of their common bounding box
   return endTogether(a, b, closed) && gapAtTheEnds(a, b) <= mostGap;
 }
 
-/// Returns true if each lies above the other as no two strokes of one switch do. Those of a key with two
-/// snaps cross as well, on a part of their way back from the point where they end.
+/// Returns true if the curves cross more than two strokes of one switch do. Strokes of a key with two snaps
+/// also cross, along part of the release near the common end.
 bool cross(const CurvePath& a, const CurvePath& b) {
   constexpr double least = 0.08,
-                   ofTwoSnaps = 0.28;  // of the columns; of 17 drawn keys with two snaps 0.23 at most
+                   ofTwoSnaps = 0.28;  // of the columns; 17 drawn keys with two snaps have 0.23 at most
   return crossedShare(a, b) > (endInOnePoint(a, b) ? ofTwoSnaps : least);
 }
 
 }  // namespace
 
 bool onlyFalls(const CurveTrace& trace) {
-  constexpr double rippleShare = 0.02;  // of the fall; traced points waver
-  constexpr double waver_px = 1.5;      // across: down a steep fall a little of it is a long way
+  constexpr double rippleShare = 0.02;  // of the fall; traced points are noisy
+  // sideways: on a steep fall a small sideways error is a large one in force
+  constexpr double waver_px = 1.5;
   const CurvePath path = pathOf(trace);
   const std::vector<Point>& points = path.points_px;
   const double fall_px = points.back().y - points.front().y;
@@ -151,7 +153,7 @@ bool onlyFalls(const CurveTrace& trace) {
 
 std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr Apart together{0.03, 0.015, 0.04};
-  constexpr Apart nearby{0.05, 0.05, 0.1};  // what ends nearby makes it doubtful who ends together
+  constexpr Apart nearby{0.05, 0.05, 0.1};  // another end nearby makes it doubtful which curves end together
   Indices strokes;
   std::ranges::copy_if(drawn, std::back_inserter(strokes),
                        [&](std::size_t i) { return !onlyFalls(traces[i]); });
@@ -164,7 +166,7 @@ std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const In
       if (j != i && endTogether(paths[i], paths[j], nearby)) partners.push_back(j);
     if (partners.size() != 1) return {};
     const std::size_t j = partners.front();
-    if (j < i) continue;  // seen from the other one
+    if (j < i) continue;  // already seen from the other curve
     if (!endTogether(paths[i], paths[j], together)) return {};
     if (!mayBeOnePair(traces[strokes[i]].label, traces[strokes[j]].label)) return {};
     if (enclose(paths[i], paths[j]))
@@ -183,8 +185,8 @@ bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second) {
 }
 
 std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  constexpr double leastWidth = 0.4;  // of the widest: what is shorter is a mark
-  constexpr double leastGap = 0.02;   // of what two of them take
+  constexpr double leastWidth = 0.4;  // of the widest curve: shorter ones are marks
+  constexpr double leastGap = 0.02;   // of the bounding box of two of them
   std::vector<CurvePath> paths;
   double widest_px = 0;
   for (const std::size_t i : drawn) {
@@ -196,7 +198,7 @@ std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const I
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (paths[i].room_px.width() < leastWidth * widest_px) return {};
     for (std::size_t j = 0; j < i; ++j) {
-      // Of two alone the one that ends early may be a release that was not followed to its end.
+      // With only two curves, the one that ends early may be a release that was traced incompletely.
       const bool endApart = drawn.size() > 2 &&
                             (endFarApart(paths[i], paths[j]) || gapAtTheEnds(paths[i], paths[j]) > leastGap);
       if (traces[drawn[i]].color == traces[drawn[j]].color || !(endApart || cross(paths[i], paths[j])))

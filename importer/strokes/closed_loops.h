@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which of several curves without names are the two strokes of one switch: those that close a loop.
+// Finds the two strokes of one switch among several curves without names: they close a loop.
 // docs/develop/decisions/0701-several-switches.md
 
 #include <cstddef>
@@ -10,14 +10,15 @@
 
 namespace detent::importer {
 
-/// Returns true if the force only falls from a trace's left end to its right one. No stroke of a button does:
-/// it begins where the finger meets the key and ends at the bottom-out. `trace` of two points or more.
+/// Returns true if the force falls monotonically from a trace's left end to its right one. No stroke of a
+/// button does: it begins where the finger meets the key and ends at the bottom-out. `trace` of two points or
+/// more.
 bool onlyFalls(const CurveTrace& trace);
 
 /// The curves that close loops, one pair for each switch, the upper one first: both begin and end together,
-/// the upper one lies above all the way. `drawn` are indices of traces of two points or more. Empty where a
-/// curve that does not only fall belongs to no loop or might belong to two: two samples of one switch end
-/// near each other.
+/// and the upper one lies above along the whole travel. `drawn` are indices of traces of two points or more.
+/// Empty if a curve that is not falling monotonically belongs to no loop, or may belong to two because two
+/// samples of one switch end near each other.
 std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>& traces,
                                                   const std::vector<std::size_t>& drawn);
 
@@ -26,9 +27,9 @@ std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>&
 /// (docs/develop/decisions/0814-unseen-styles.md).
 bool closeInOnePoint(const CurveTrace& first, const CurveTrace& second);
 
-/// One group for each curve, if all are drawn in colours of their own and no two of them can be the strokes
-/// of one switch: they cross, or of three and more end apart. Empty otherwise, and if one is too short for a
-/// stroke or only falls.
+/// One group for each curve, if every curve has its own colour and no two of them can be the strokes of one
+/// switch: they cross, or, of three or more, end apart. Empty otherwise, and if a curve is too short for a
+/// stroke or falls monotonically.
 std::vector<std::vector<std::size_t>> pressesApart(const std::vector<CurveTrace>& traces,
                                                    const std::vector<std::size_t>& drawn);
 

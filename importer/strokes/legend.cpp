@@ -14,7 +14,7 @@ namespace detent::importer {
 
 namespace {
 
-/// Words of a label without phrases that are other things' names ("load cell").
+/// Words of a label, without those of phrases that name other things ("load cell").
 std::vector<std::string> ownNamesOf(std::string_view utf8) {
   std::string text;
   for (const std::string& word : wordsOf(utf8)) text += (text.empty() ? "" : " ") + word;
@@ -26,16 +26,16 @@ bool namesPoint(std::string_view utf8, const std::vector<std::string>& words, Te
          holdsSign(utf8, WordKind::point);
 }
 
-/// The stroke of a text of one word that says so alone.
+/// The stroke that a text of a single word names by itself.
 std::optional<Stroke> loneStroke(std::string_view utf8) {
   const std::vector<std::string> words = wordsOf(utf8);
   return words.size() == 1 ? strokeOfLoneWord(words.front()) : std::nullopt;
 }
 
-/// Returns true if a word stands before a noun that the lexicon does not know, as its attribute: "Pressing
+/// Returns true if a word is an attribute of a following noun that the lexicon does not know: "Pressing
 /// plate", "Return loss". A name in capitals is a switch's: "Press Boba".
 bool isAttribute(std::string_view label, const std::string& word, TextSource source) {
-  constexpr std::size_t fewest = 4;  // letters of a noun; shorter ones number switches
+  constexpr std::size_t fewest = 4;  // least letters of a noun; shorter words number switches
   for (std::size_t from = 0; from < label.size();) {
     const std::size_t to = std::min(label.find(' ', from), label.size());
     if (folded(label.substr(from, to - from)) == word && to + 1 < label.size()) {
@@ -53,7 +53,7 @@ bool isAttribute(std::string_view label, const std::string& word, TextSource sou
   return false;
 }
 
-/// Strokes that a text has words or signs for.
+/// Strokes for which a text has words or signs.
 SignedStrokes strokesIn(std::string_view utf8, TextSource source) {
   SignedStrokes named = strokesSignedIn(utf8);
   if (const auto lone = loneStroke(utf8)) (*lone == Stroke::press ? named.press : named.release) = true;
@@ -66,12 +66,12 @@ SignedStrokes strokesIn(std::string_view utf8, TextSource source) {
   return named;
 }
 
-/// Of a word without its signs for strokes; empty if it had nothing else.
+/// Returns true if a word, without its signs for strokes, is empty or a stroke's word.
 bool isStrokeWord(const std::string& word, TextSource source) {
   return word.empty() || strokeOfWord(word, source) || strokeOfPart(word);
 }
 
-/// Words that name neither a stroke nor a curve.
+/// Words that are neither for a stroke nor for a curve.
 std::vector<std::string> wordsBesideStroke(std::string_view utf8, TextSource source) {
   if (loneStroke(utf8)) return {};
   std::vector<std::string> words = wordsOf(utf8);
@@ -82,7 +82,7 @@ std::vector<std::string> wordsBesideStroke(std::string_view utf8, TextSource sou
   return words;
 }
 
-/// Words that name neither a stroke nor what every legend names: a switch's own name.
+/// Words that belong to a switch's own name: neither for strokes nor common to legends.
 std::vector<std::string> ownWords(std::string_view utf8, TextSource source) {
   constexpr std::size_t fewestOfFragment = 3;  // letters
   std::vector<std::string> own = wordsBesideStroke(utf8, source);
@@ -92,7 +92,7 @@ std::vector<std::string> ownWords(std::string_view utf8, TextSource source) {
     };
     const auto quantity = matchWord(word, {WordKind::quantity}, source);
     if (quantity) return isOwn(*quantity->entry);
-    // "rce curve": a legend key hides the beginning.
+    // "rce curve": a legend key covers the beginning.
     return source == TextSource::recognised && letterCount(word) >= fewestOfFragment &&
            std::ranges::any_of(entriesOf(WordKind::quantity), [&](const LexiconEntry& entry) {
              return isOwn(entry) && entry.form == WordForm::whole && entry.word.ends_with(word);
@@ -101,7 +101,7 @@ std::vector<std::string> ownWords(std::string_view utf8, TextSource source) {
   return own;
 }
 
-/// Returns true if a text says how far a switch is worn, and nothing of a stroke: "after 1 million strokes".
+/// Returns true if a text states how worn a switch is, and names no stroke: "after 1 million strokes".
 bool namesWear(std::string_view utf8, TextSource source) {
   const auto saysSo = [](const std::string& word) {
     return matchWord(word, {WordKind::wear}, TextSource::exact).has_value();
@@ -110,16 +110,16 @@ bool namesWear(std::string_view utf8, TextSource source) {
          (std::ranges::any_of(wordsOf(utf8), saysSo) || holdsSign(utf8, WordKind::wear));
 }
 
-/// Returns true if a word is the beginning or the end of a word of this kind, whose rest a legend key or a
-/// frame hides.
+/// Returns true if a word is the beginning or the end of a word of this kind, with the rest covered by a
+/// legend key or a frame.
 bool isFragmentOf(const std::string& word, WordKind kind) {
   return std::ranges::any_of(entriesOf(kind), [&](const LexiconEntry& entry) {
     return entry.form == WordForm::whole && (entry.word.starts_with(word) || entry.word.ends_with(word));
   });
 }
 
-/// Returns true if a recognised text may be the misread name of a stroke: one word with more letters wrong
-/// than prove a name, a fragment of one, or a letter or two.
+/// Returns true if a recognised text may be the misread name of a stroke: one word with too many wrong
+/// letters to be certain, a fragment of one, or one or two letters.
 bool mayBeMisread(std::string_view utf8, Stroke stroke, TextSource source) {
   constexpr std::size_t fewest = 3;  // letters of a name
   const std::vector<std::string> words = wordsOf(utf8);
@@ -140,10 +140,10 @@ std::vector<std::string> numbersOf(std::string_view utf8) {
   return numbers;
 }
 
-/// Nothing but what parts words: it goes where the word beside it goes.
+/// Returns true for a separator, which is removed together with the word beside it.
 bool isJoint(char c) { return std::string_view(" _-/:,;()[]").find(c) != std::string_view::npos; }
 
-/// Of one text.
+/// Removes the words for strokes from one text.
 std::string withoutStrokeWords(std::string_view utf8, TextSource source) {
   if (loneStroke(utf8)) return {};
   std::string name;
@@ -161,7 +161,8 @@ std::string withoutStrokeWords(std::string_view utf8, TextSource source) {
   if (!shortened) return name;
   for (const std::string_view emptied : {"()", "[]"})
     if (const auto at = name.find(emptied); at != std::string::npos) name.erase(at, emptied.size());
-  const auto isRest = [&](char c) {  // brackets around the stroke's word go with it, those of the name stay
+  // brackets around the stroke's word are removed with it; brackets of the name stay
+  const auto isRest = [&](char c) {
     const bool opened = name.find('(') != std::string::npos || name.find('[') != std::string::npos;
     return isJoint(c) && !(opened && (c == ')' || c == ']'));
   };
@@ -208,7 +209,7 @@ bool isDefaultName(std::string_view utf8) {
     if (!name.starts_with(entry.word)) return false;
     const std::string_view rest = std::string_view(name).substr(entry.word.size());
     if (entry.value == "letter") return rest.size() == 1;
-    // "l": a one in pixels
+    // "l" is a misread one
     return rest == "l" || (!rest.empty() && rest.find_first_not_of("0123456789") == std::string_view::npos);
   });
 }
@@ -219,7 +220,7 @@ bool namesNoStroke(std::string_view utf8, TextSource source) {
 }
 
 bool mayNameAStroke(std::string_view utf8, TextSource source) {
-  constexpr std::size_t fewest = 3;  // letters: shorter ones count switches
+  constexpr std::size_t fewest = 3;  // least letters; shorter words number switches
   const std::vector<std::string> words = wordsOf(utf8);
   return namesNoStroke(utf8, source) && words.size() == 1 && words.front().size() >= fewest &&
          numbersOf(utf8).empty() && !matchWord(words.front(), {WordKind::variant}, TextSource::exact);
@@ -246,8 +247,8 @@ bool mayBeOnePair(std::string_view a, std::string_view b, TextSource source) {
   if (ofA == ofB) return false;
   const std::vector<std::string> ownOfA = ownWords(a, source), ownOfB = ownWords(b, source);
   if (ofA && ofB) return ownOfA == ownOfB || ownOfA.empty() || ownOfB.empty();
-  // The name of one alone is a stroke's: the other's is the switch's own as well ("Switch A", "Switch A
-  // release"), or misread.
+  // If only one name contains a stroke's word, the other is the name of the switch itself ("Switch A",
+  // "Switch A release"), or was misread.
   const Stroke other =
       ofA.value_or(ofB.value_or(Stroke::press)) == Stroke::press ? Stroke::release : Stroke::press;
   return ownOfA == ownOfB || mayBeMisread(ofA ? b : a, other, source);

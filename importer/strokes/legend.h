@@ -16,7 +16,7 @@ namespace detent::importer {
 /// than a stroke ("reset point").
 std::optional<Stroke> strokeNamedBy(std::string_view utf8, TextSource source = TextSource::recognised);
 
-/// Returns true if the stroke's word of a text names a point in other legends: "Actuation", "Release".
+/// Returns true if the text's word for a stroke is a point's name in other legends: "Actuation", "Release".
 bool mayNameAPoint(std::string_view utf8);
 
 /// Returns true if two legend texts may be the press and the release of one switch: "press" and "release" do,
@@ -25,20 +25,20 @@ bool mayNameAPoint(std::string_view utf8);
 /// stroke's.
 bool mayBeOnePair(std::string_view a, std::string_view b, TextSource source = TextSource::recognised);
 
-/// Returns true if two of more than two legend texts name the strokes of one switch: the rest without their
-/// words for press and release is the same, numbers included, and those words differ ("Switch A" and "Switch
-/// A release").
+/// For more than two legend texts: returns true if these two name the strokes of one switch. Without their
+/// words for press and release they are equal, numbers included, and those words differ ("Switch A" and
+/// "Switch A release").
 bool namesOnePair(std::string_view a, std::string_view b, TextSource source = TextSource::recognised);
 
-/// Returns true if a text names a curve at all: it has words and is no point's name.
+/// Returns true if a text can be a curve's name: it contains words and is no point's name.
 bool namesACurve(std::string_view utf8, TextSource source = TextSource::recognised);
 
-/// Returns true if a text gives a curve a name that has nothing to do with a stroke: "Clicky", "sample 3"; no
-/// program's name.
+/// Returns true if a text is a curve's name that names no stroke: "Clicky", "sample 3". Default names of
+/// programs do not count.
 bool namesNoStroke(std::string_view utf8, TextSource source = TextSource::recognised);
 
-/// Returns true if a text that names no stroke may be a word for one in a language that no list has: one word
-/// of letters, no colour and no other name of switches.
+/// Returns true if a text that names no known stroke may be a stroke's word in an unlisted language: a single
+/// word of letters that is neither a colour nor another switch's name.
 bool mayNameAStroke(std::string_view utf8, TextSource source = TextSource::recognised);
 
 /// Returns true if a text is a program's default name of a series: "data1", "Series 2", "Column B", "'a.txt'

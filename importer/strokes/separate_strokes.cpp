@@ -16,7 +16,7 @@ namespace detent::importer {
 
 namespace {
 
-/// Evidence in favour of the first of two traces being the press, in log-odds; positive is for it.
+/// Evidence that the first of two traces is the press, in log-odds; negative: the second is.
 struct Verdict {
   double logOdds = 0;
   std::vector<EvidenceItem> reasons;
@@ -28,7 +28,7 @@ struct Verdict {
   double confidence() const { return 1 / (1 + std::exp(-std::abs(logOdds))); }
 };
 
-/// In the order of increasing displacement; a plumb line in the order of increasing force.
+/// The trace in mm and N by increasing displacement; a vertical line by increasing force.
 StrokePoints inUnits(const CurveTrace& trace, const AxisCalibration& calibration) {
   StrokePoints stroke;
   stroke.fromVector = trace.fromVector;
@@ -78,13 +78,14 @@ std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, doubl
 }
 
 struct Comparison {
-  double commonShare = 0;  ///< displacement both run over, of that either runs over
+  double commonShare = 0;  ///< displacement that both cover, relative to that which either covers
   double above = 0;        ///< share of it where the first lies clearly above the second
   double below = 0;
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };
 
-/// Bottom-outs at the ends are left out: there a small shift in displacement is a large one in force.
+/// Bottom-outs at the ends are left out, because there a small shift in displacement is a large difference in
+/// force.
 Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N) {
   Comparison c;
   const auto span = [](const StrokePoints& s) {
@@ -128,19 +129,19 @@ double credit(double traceConfidence) { return std::clamp(0.2 + 1.15 * traceConf
 /// The strokes of one switch run over the same travel; leaders, markers and curves of two switches need not.
 double creditOfTravel(const Comparison& c) { return std::clamp((c.commonShare - 0.2) / 0.4, 0.0, 1.0); }
 
-/// A legend that calls one the press and the other the release says that they belong together. A key that
-/// stays locked has a release of half the travel.
+/// Returns true if the legend calls one trace the press and the other the release, so that they belong
+/// together. The release of a key that stays locked has half the travel.
 bool namedAsPair(const CurveTrace& first, const CurveTrace& second) {
   const auto a = strokeNamedBy(first.label), b = strokeNamedBy(second.label);
   return a && b && *a != *b;
 }
 
-/// Which of two traces is the press.
+/// Decides which of two traces is the press.
 Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
   Verdict verdict;
   const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds,
                         EvidenceCode source) {
-    if (ofFirst == ofSecond) return;  // nothing said, or the same of both
+    if (ofFirst == ofSecond) return;  // no text names a stroke, or both name the same one
     const bool firstIsPress = ofFirst ? *ofFirst == Stroke::press : *ofSecond == Stroke::release;
     verdict.add(firstIsPress ? odds : -odds, {source});
   };
@@ -157,7 +158,8 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
   return verdict;
 }
 
-/// Two colours separate curves that are drawn in two; curves in one colour are separated by hand.
+/// Remedies: curves in two colours are separated by naming the colours; curves in one colour must be
+/// separated by hand.
 Remedies remediesFor(bool oneColour, const Message& with) {
   if (oneColour)
     return {{RemedyKind::addMask, "over the curves of other switches"}, {RemedyKind::drawPress, {}}};
@@ -177,9 +179,9 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
       "plot frame");
 }
 
-/// Returns true if a text names a point in its legend, where it might name a stroke in another: an entry
-/// beside it names the press by a word for nothing else, and another one names the point of the press
-/// ("downstroke", "actuation", "release").
+/// Returns true if a text names a point in its legend that would be a stroke in another legend: one entry
+/// names the press by an unambiguous word, and another one names the point of the press ("downstroke",
+/// "actuation", "release").
 bool namesPointInLegend(const SeenText& text, const std::vector<SeenText>& texts) {
   if (!mayNameAPoint(text.utf8)) return false;
   const auto isBeside = [&](bool point) {
@@ -191,7 +193,7 @@ bool namesPointInLegend(const SeenText& text, const std::vector<SeenText>& texts
   return isBeside(true) && isBeside(false);
 }
 
-/// The legend's name of the release that belongs to a press named in it, none where it has no such entry.
+/// The legend's name of the release that belongs to a named press; none if the legend has no such entry.
 std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std::vector<SeenText>& texts) {
   if (press.labelBox_px.empty()) return {};
   const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
@@ -201,8 +203,7 @@ std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 
-/// Words that name a release and nothing else, a legend's or a callout's: where they stand, a release is
-/// drawn.
+/// Words that name a release and nothing else, in a legend or a callout. If they occur, a release is drawn.
 std::optional<std::string> releaseNamedAnywhere(const std::vector<SeenText>& texts) {
   const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
     return namesNothingButRelease(text.utf8, sourceOf(text)) && !namesPointInLegend(text, texts);
@@ -221,9 +222,9 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   auto notSeen = releaseNamedBeside(trace, axes.texts);
-  // A title may have come to the curve as its name, and in one colour the release's words.
+  // A title may have become the curve's name, and in a loop of one colour it may be the word for the release.
   if (!notSeen) notSeen = releaseNamedAnywhere(axes.texts);
-  // Confidences of a single trace, by what it is called.
+  // Confidences of a single trace, by the stroke that its name gives.
   constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
   const bool bothNamed = namesBothStrokes(trace.label) || notSeen;
   found.confidence = (bothNamed ? ofBoth : namedRelease ? ofRelease : ofOneNamed) * credit(trace.confidence);
@@ -234,10 +235,10 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
   return found;
 }
 
-/// A key gives no more than was put into it: what lies above the press over a noticeable share of the travel
-/// is a callout's box or another switch's curve. The user's own colours are believed.
+/// A key returns no more energy than was put into it. A curve above the press over a noticeable share of the
+/// travel is therefore a callout's box or another switch's curve. Colours given by the user are accepted.
 std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double clearShare = 0.05, leastTravel = 0.15;  // of the press' force, of the shared travel
+  constexpr double clearShare = 0.05, leastTravel = 0.15;  // of the press' force; of the shared travel
   const auto [low, high] =
       std::minmax_element(press.points.begin(), press.points.end(),
                           [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; });
@@ -254,8 +255,8 @@ std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoint
 /// A stroke's largest drop of force over increasing displacement.
 struct Drop {
   double force_N = 0;
-  double valley_mm =
-      0;  ///< where it is over: on the level floor of a valley noise alone says where the lowest point is
+  /// where most of it has happened: on the flat floor of a valley, noise decides which point is lowest
+  double valley_mm = 0;
 };
 
 Drop largestDrop(const StrokePoints& stroke) {
@@ -278,24 +279,24 @@ double topOf(const StrokePoints& stroke, double CurvePoint::*coordinate) {
   return (*std::ranges::max_element(stroke.points, {}, coordinate)).*coordinate;
 }
 
-/// Returns true if both drop by so much that the position and shape of the drop separates them.
+/// Returns true if both strokes drop so much that position and shape of the drops distinguish them.
 bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
   constexpr double leastDrop = 0.05;  // of the press' highest force
   const double highest_N = topOf(press, &CurvePoint::force_N);
   return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
 }
 
-/// Friction delays what a switch does: on its way back the drop comes at less displacement. One that comes
-/// later is another switch's; both by increasing displacement
+/// Returns true if the release drops at larger displacement than the press. Friction delays a switch, so its
+/// release drops at less displacement; otherwise it is another switch's. Both by increasing displacement
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double late = 0.05;  // of the travel; of 192 pairs 0.035 at most, of a named dome more
+  constexpr double late = 0.05;  // of the travel; 192 pairs have 0.035 at most, a named dome more
   const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;
   return bothDrop(press, release) &&
          largestDrop(release).valley_mm - largestDrop(press).valley_mm > late * travel_mm;
 }
 
-/// Common span of both strokes.
+/// Span of both strokes together.
 double spanOfBoth(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
   const double low = (*std::ranges::min_element(first.points, {}, coordinate)).*coordinate,
                otherLow = (*std::ranges::min_element(second.points, {}, coordinate)).*coordinate;
@@ -307,16 +308,16 @@ double topsApart(const StrokePoints& first, const StrokePoints& second, double C
   return (topOf(first, coordinate) - topOf(second, coordinate)) / spanOfBoth(first, second, coordinate);
 }
 
-/// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or
-/// is another switch's press.
+/// Returns true if a release ends clearly before the end of the press. It starts where the press ended, so it
+/// was traced incompletely or is another switch's press.
 bool reachApart(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clear = 0.1;  // of the travel of both
+  constexpr double clear = 0.1;  // of both strokes' travel
   return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
 }
 
-/// Force between the lines where both end, as a share of their span, if neither is steep there: the loop is
-/// open, as between the curves of two things. On a bottom-out the strokes of one button may be cut at
-/// different heights.
+/// Distance in force between the lines where both end, as a share of their span, if neither is steep there:
+/// the loop is open, as between curves of two switches. On a bottom-out the strokes of one button may be cut
+/// at different heights.
 double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   constexpr double lastShare = 0.03, steep = 0.1;  // of the travel; of the span, over that stretch
   constexpr std::size_t columns = 200;
@@ -338,17 +339,17 @@ double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   return std::abs(a.force_N - b.force_N) / span_N;
 }
 
-/// Of two lines in colours of their own one reaches further and the other higher: two switches'. A release
-/// whose end lies under the press reaches less of both.
+/// Returns true if one of two lines in different colours reaches farther and the other higher: they belong to
+/// two switches. A release that ends below the press reaches less in both directions.
 bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clearForce = 0.1;    // of both strokes' span; of 123 drawn pairs 0.013 at most
-  constexpr double clearTravel = 0.02;  // likewise; of those pairs 0
+  constexpr double clearForce = 0.1;    // of both strokes' span; 123 drawn pairs have 0.013 at most
+  constexpr double clearTravel = 0.02;  // the same; those pairs have 0
   const double higher = topsApart(first, second, &CurvePoint::force_N),
                further = topsApart(first, second, &CurvePoint::displacement_mm);
   return higher * further < 0 && std::abs(higher) > clearForce && std::abs(further) > clearTravel;
 }
 
-/// A stroke's points, each coordinate as a share of `span`.
+/// A stroke's points with each coordinate as a share of `span`.
 Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
   Polyline shares;
   shares.reserve(stroke.points.size());
@@ -357,8 +358,7 @@ Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
   return shares;
 }
 
-/// Distance of the far end of one line from the other line, of both ends the nearer one, as a share of their
-/// common span.
+/// Smaller distance of a far end from the other line, as a share of their common span.
 double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
                         spanOfBoth(first, second, &CurvePoint::force_N)};
@@ -371,12 +371,12 @@ double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
   return std::min(gap(a, b), gap(b, a));
 }
 
-/// Two lines in colours of their own that end at different heights, the lower end beside the other's line and
-/// not on it: two presses, each with a bottom-out of its own. A release that is cut lower on the bottom-out
-/// begins on the press.
+/// Returns true if two lines in different colours end at different heights, with the lower end beside the
+/// other line and not on it: two presses, each with its own bottom-out. A release that is cut lower on the
+/// bottom-out begins on the press.
 bool bottomOutsApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.12;  // of both strokes' span
-  constexpr double beside = 0.01;      // of both spans; of 449 drawn pairs of measured switches 0.005 at most
+  constexpr double beside = 0.01;  // of both spans; 449 drawn pairs of measured switches have 0.005 at most
   return std::abs(topsApart(first, second, &CurvePoint::force_N)) > clearForce &&
          gapAtTheEnd(first, second) > beside;
 }
@@ -409,18 +409,19 @@ double sharedShape(const StrokePoints& first, const StrokePoints& second) {
   return apart > 0 ? 1 - left / apart : 0;
 }
 
-/// Two presses, of two samples or states: the one is the other scaled, as no friction makes a release, and
-/// the loop stays open.
+/// Returns true for two presses, of two samples or states: one is a scaled copy of the other, which friction
+/// cannot cause, and the loop stays open.
 bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double open = 0.015;  // pairs of one shape: at most 0.007, with a stepped bottom-out more
-  constexpr double alike = 0.9;   // of pairs that stay open 0.84 at most
+  constexpr double open = 0.015;  // pairs of one shape have at most 0.007, more with a stepped bottom-out
+  constexpr double alike = 0.9;   // pairs that stay open have 0.84 at most
   return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
 }
 
-/// The way back of a key that locks: both lines end together, and the one that starts farther in comes down
-/// to the force at rest from which the other starts, below it all the way. Both by increasing displacement.
+/// Returns true for the release of a key that locks: both lines end together, and the one that starts at
+/// larger displacement reaches the force at rest from which the other starts, below it along the whole way.
+/// Both by increasing displacement.
 bool locksAtBaseline(const StrokePoints& press, const StrokePoints& release, double below) {
-  constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of what both span
+  constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of the span of both
   constexpr double mostBelow = 0.02;                                // of the shared travel
   const double span_mm = spanOfBoth(press, release, &CurvePoint::displacement_mm),
                rest_N = atRest * spanOfBoth(press, release, &CurvePoint::force_N);
@@ -441,14 +442,15 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(first, second, compared, newtonPerPx);
   Found<StrokePair> found;
-  // Two tints that the legend names separately and the tracer saw as one colour: the owner of each line is
-  // not known.
+  // Two tints that the legend names separately but the tracer saw as one colour: which line has which tint is
+  // unknown.
   constexpr double ofMergedTints = 0.45;
-  constexpr double ofApart = 0.45;  // largest credit for the common travel of two curves whose ends lie apart
+  // largest confidence from the common travel of two curves whose ends lie apart
+  constexpr double ofApart = 0.45;
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
-  constexpr double mostOpen = 0.16;  // of the force span; of 327 buttons drawn or measured 0.13 at most
+  constexpr double mostOpen = 0.16;  // of the force span; 327 drawn or measured buttons have 0.13 at most
   const bool apart = !byHand && !paired &&
                      (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
                       (first.color != second.color && (tipsCrossed(a, b) || bottomOutsApart(a, b))));
@@ -482,17 +484,18 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   return found;
 }
 
-/// From left to right.
+/// Orders a trace from left to right.
 void orient(CurveTrace& trace) {
   if (trace.points_px.front().x <= trace.points_px.back().x) return;
   std::ranges::reverse(trace.points_px);
   std::ranges::reverse(trace.width_px);
 }
 
-/// A stroke begins at rest, at the baseline: if its beginning lies under another curve, it runs down with
-/// that one. Returns true if it does.
+/// A stroke begins at rest, at the baseline. If its beginning lies under another curve, it is extended
+/// downwards along that one. Returns true if it was.
 bool leadDownUnder(CurveTrace& own, CurveTrace other) {
-  constexpr double touching_px = 3, least = 0.05, most = 0.05;  // the last two of its height, of its width
+  // the second of the other's height, the third of its width
+  constexpr double touching_px = 3, least = 0.05, most = 0.05;
   if (own.fromVector || own.points_px.size() < 2 || other.points_px.size() < 2) return false;
   orient(own), orient(other);
   const auto [top, lowest] = std::ranges::minmax(own.points_px, {}, &Point::y);
@@ -512,7 +515,7 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
 }
 
 /// Extends `own` along `other` to the end of the travel. A release begins where the press ends, so a stroke
-/// that stops on the other one, shortly before that one ends, runs hidden under it. Returns true if it was
+/// that stops on the other one, shortly before that one ends, is hidden under it. Returns true if it was
 /// extended.
 bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   constexpr double least = 0.05,
@@ -533,14 +536,14 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   const Point ownStep = end - own.points_px[own.points_px.size() - 1 - stepsBack],
               others = other.points_px[std::min(at + stepsBack, other.points_px.size() - 1)] - *near;
   if (dot(ownStep, others) < onwards * norm(ownStep) * norm(others)) return false;
-  // The tip itself stays the other's: by their ends strokes are known to be of their traces.
+  // The tip itself is left out, so that each trace keeps an end of its own by which its stroke is identified.
   own.points_px.insert(own.points_px.end(), near + 1, other.points_px.end() - 1);
   if (!own.width_px.empty()) own.width_px.resize(own.points_px.size(), own.width_px.back());
   return true;
 }
 
-/// Returns true if `other` continues from one end of `own`, in its direction, where `own` is not visible any
-/// more: the rest of it lies under the other. A line that crosses the end hides nothing of it.
+/// Returns true if `other` continues from one end of `own` in the same direction: the rest of `own` is hidden
+/// under it. A line that only crosses the end hides nothing.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
   constexpr std::size_t stepsBack = 8;                 // points to either side
@@ -605,14 +608,14 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();
-  // Two entries of the legend in one colour are two strokes that were not separated.
+  // Two legend entries of one colour belong to two strokes that were not separated.
   if (chosenTraces.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
   auto found = chosenTraces.size() == 1 ? pressAlone(strokes.front(), axes)
                                         : pairOf(strokes[0], strokes[1], axes, hints.swap);
   if (!found) return found;
-  // One of several that no legend distinguishes: its release may lie under another one.
+  // One of several switches that no legend distinguishes: its release may lie under another one.
   constexpr double ofOneOfSeveral = 0.6;
   if (chosenTraces.size() == 1 && switches.size() > 1 && traces[chosenTraces.front()].label.empty())
     found->confidence = std::min(found->confidence, ofOneOfSeveral);

@@ -13,16 +13,16 @@
 namespace detent::importer {
 namespace {
 
-constexpr double kLeastLike = 0.72;   // correlation
-constexpr double kLeastApart = 0.03;  // of the best place from any other switch's
-constexpr double kBlur_px = 0.7;      // how far two typefaces' strokes may lie apart
+constexpr double kLeastLike = 0.72;   // least correlation of a name with the picture
+constexpr double kLeastApart = 0.03;  // least difference to the best place of any other switch
+constexpr double kBlur_px = 0.7;      // tolerance for the different strokes of two typefaces
 
 Rgb rgbAt(const Raster& picture, int x, int y) {
   const std::uint8_t* const p = picture.at(x, y);
   return {p[0], p[1], p[2]};
 }
 
-/// The commonest colour, to sixteen levels.
+/// The most frequent colour, in steps of sixteen levels.
 Rgb paperOf(const Raster& picture) {
   std::vector<int> seen(4096, 0);
   const auto shade = [](Rgb c) { return (c.r >> 4) << 8 | (c.g >> 4) << 4 | c.b >> 4; };
@@ -34,7 +34,7 @@ Rgb paperOf(const Raster& picture) {
   return {level(8), level(4), level(0)};
 }
 
-/// Distance of each pixel from the paper, colour levels.
+/// Distance of each pixel from the paper, in colour levels.
 cv::Mat darkMaskOf(const Raster& picture) {
   const Rgb paper = paperOf(picture);
   cv::Mat marks(picture.height_px, picture.width_px, CV_32F);
@@ -44,7 +44,7 @@ cv::Mat darkMaskOf(const Raster& picture) {
   return marks;
 }
 
-/// Cut to the bounding box of its dark pixels; empty without any.
+/// The picture cut to the bounding box of its dark pixels; empty without any.
 cv::Mat cutToMarks(const cv::Mat& marks) {
   const cv::Rect at = cv::boundingRect(cv::Mat(marks > 100));
   return at.empty() ? cv::Mat{} : marks(at).clone();
@@ -55,17 +55,17 @@ struct Place {
   double like = -1;
 };
 
-/// Where on a picture a name may stand, the most alike place first, no two of them on each other.
+/// Places on a picture where a name may stand, the most similar one first, without overlaps.
 std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& marks) {
   constexpr int least_px = 8, most_px = 40;  // height of the writing
-  constexpr int eachSize = 4;                // places looked at
+  constexpr int eachSize = 4;                // places kept per size
   std::vector<Place> all;
   cv::Mat page;
   cv::GaussianBlur(marks, page, {}, kBlur_px);
   for (int height = least_px; height <= most_px; height += std::max(1, height / 12)) {
     const int width = static_cast<int>(std::lround(static_cast<double>(name.cols) / name.rows * height));
     if (width < 4 || width >= page.cols - 4 || height >= page.rows - 4) continue;
-    constexpr int rim = 1;  // paper around it belongs to the likeness
+    constexpr int rim = 1;  // paper around the name is compared too
     cv::Mat word, alike;
     cv::resize(name, word, {width, height}, 0, 0, cv::INTER_AREA);
     cv::copyMakeBorder(word, word, rim, rim, rim, rim, cv::BORDER_CONSTANT, cv::Scalar(0));
@@ -90,7 +90,7 @@ std::vector<Place> placesOf(const cv::Mat& name, const cv::Mat& marks) {
   return apart;
 }
 
-/// Columns from a word to the nearest pixel of a switch's curves, level with it; empty if none is near.
+/// Columns from a word to the nearest pixel of a switch's curves at the same height; empty if none is near.
 std::optional<int> columnsTo(const PlotSwitch& plotSwitch, const std::vector<CurveTrace>& traces,
                              const Box& word, const Raster& picture) {
   constexpr double reach = 4, band = 0.3;  // in heights of the word
@@ -107,7 +107,7 @@ std::optional<int> columnsTo(const PlotSwitch& plotSwitch, const std::vector<Cur
   return {};
 }
 
-/// A curve through a word makes it resemble another one.
+/// Returns true if a curve runs through a word, which makes it resemble another one.
 bool isRunThrough(const Box& word, const std::vector<CurveTrace>& traces) {
   constexpr double rim_px = 2;
   return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
@@ -116,7 +116,7 @@ bool isRunThrough(const Box& word, const std::vector<CurveTrace>& traces) {
   });
 }
 
-/// The switch that a name stands beside.
+/// The switch beside which a name stands.
 std::optional<std::size_t> nearestTo(const std::vector<PlotSwitch>& switches,
                                      const std::vector<CurveTrace>& traces, const Box& word,
                                      const Raster& picture) {
@@ -149,7 +149,7 @@ std::optional<std::size_t> switchSpotted(const std::vector<PlotSwitch>& switches
   const cv::Mat name = cutToMarks(darkMaskOf(*drawn));
   if (name.empty()) return {};
   const std::vector<Place> positions = placesOf(name, darkMaskOf(picture));
-  // A legend says a switch's name once for each of its strokes.
+  // A legend contains a switch's name once for each of its strokes.
   std::optional<std::size_t> found;
   for (const Place& place : positions) {
     if (place.like < kLeastLike || place.like < positions.front().like - kLeastApart) break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Step 5: which trace is the press, which the release; in millimetres and newtons, in the order travelled.
+// Step 5: decides which trace is the press and which the release; in millimetres and newtons, in the order
+// travelled.
 
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ struct StrokePair {
 
 struct StrokeHints {
   bool swap = false;
-  std::string
-      curve;  ///< of several switches the one to take, by name or number (chosenSwitch); empty: the only one
+  /// name or number of the switch to take if there are several (chosenSwitch); empty: the only one
+  std::string curve;
 
   bool operator==(const StrokeHints&) const = default;
 };

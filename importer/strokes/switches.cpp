@@ -21,13 +21,13 @@ std::optional<Stroke> namedStroke(const CurveTrace& trace) {
   return trace.stroke ? trace.stroke : strokeNamedBy(trace.label);
 }
 
-/// Two strokes of one colour that the tracer separated.
+/// Returns true for two strokes of one colour that the tracer separated.
 bool shareAColour(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
 }
 
-/// Without arrows and leaders in a colour of their own: curves without a name that only fall, if the legend
-/// names a stroke among more than two curves.
+/// Removes arrows and leaders that have colours of their own: curves without a name that fall monotonically,
+/// if the legend names a stroke among more than two curves.
 Indices withoutMarks(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   const auto isNamed = [&](std::size_t i) { return namedStroke(traces[i]).has_value(); };
   if (drawn.size() < 3 || std::ranges::none_of(drawn, isNamed)) return drawn;
@@ -38,13 +38,14 @@ Indices withoutMarks(const std::vector<CurveTrace>& traces, const Indices& drawn
   return kept;
 }
 
-/// Two names of nothing but strokes that came out as one: signs that differ by a few lines were read alike.
+/// Returns true if two names that contain nothing but a stroke are equal: characters that differ in few lines
+/// were read alike.
 bool readAlike(const CurveTrace& a, const CurveTrace& b) {
   return !a.stroke && !b.stroke && a.label == b.label && strokeNamedBy(a.label) &&
          switchNamedBy(a.label).empty();
 }
 
-/// Two curves that close a loop, whatever they are called.
+/// Two curves that close a loop, whatever their names are.
 std::optional<std::pair<std::size_t, std::size_t>> loopOf(std::vector<CurveTrace> traces,
                                                           const Indices& two) {
   for (CurveTrace& trace : traces) trace.label.clear();
@@ -53,7 +54,7 @@ std::optional<std::pair<std::size_t, std::size_t>> loopOf(std::vector<CurveTrace
   return std::pair(loops.front().front(), loops.front().back());
 }
 
-/// The loops that curves close which bear the names that a program gives to what nobody named.
+/// Loops formed by curves that have only a program's default names.
 std::vector<Indices> loopsWithoutNames(std::vector<CurveTrace> traces, const Indices& drawn) {
   const auto isNameless = [&](std::size_t i) { return isDefaultName(traces[i].label) && !traces[i].stroke; };
   if (!std::ranges::all_of(drawn, isNameless)) return {};
@@ -61,8 +62,8 @@ std::vector<Indices> loopsWithoutNames(std::vector<CurveTrace> traces, const Ind
   return closedLoops(traces, drawn);
 }
 
-/// The press and the release that were named, by hand or by the legend, beside curves that nothing is said
-/// of: marks and leaders. Where the legend calls one "press" and no more, the other's name may be misread.
+/// The press and the release that were named, by hand or by the legend, among curves without names (marks and
+/// leaders). If the legend calls one just "press", the other's name may be misread.
 std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
                                                                 const Indices& drawn) {
   Indices named;
@@ -74,14 +75,15 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
   const CurveTrace& sure = namedStroke(a) ? a : b;
   const bool bothNamed = namedStroke(a) && namedStroke(b);
   if (!bothNamed && !sure.stroke && !switchNamedBy(sure.label).empty()) return {};
-  if (drawn.size() > 2 && shareAColour(a, b)) return {};  // another curve of this colour draws another switch
+  // another curve of this colour belongs to another switch
+  if (drawn.size() > 2 && shareAColour(a, b)) return {};
   const bool byHand = a.stroke && b.stroke;
   if (!byHand && !mayBeOnePair(a.label, b.label)) return {};
   return std::pair(named[0], named[1]);
 }
 
-/// Returns true if a trace has the position of a name that could not be read, all others have theirs and none
-/// of them names a stroke.
+/// Returns true if this trace alone has a name that could not be read, and none of the other names is a
+/// stroke's.
 bool isUnreadName(std::size_t partner, const std::vector<CurveTrace>& traces, const Indices& drawn) {
   constexpr std::size_t fewest = 3;
   if (drawn.size() < fewest || !traces[partner].label.empty() || traces[partner].labelBox_px.empty())
@@ -91,8 +93,8 @@ bool isUnreadName(std::size_t partner, const std::vector<CurveTrace>& traces, co
   });
 }
 
-/// Each trace's partner: itself for a press alone. Empty where one has several or where a release stands
-/// alone.
+/// Each trace's partner; a press without a release is its own. Empty if a trace has several, or if a release
+/// has none.
 std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   std::vector<Indices> groups;
   for (const std::size_t i : drawn) {
@@ -102,7 +104,7 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
       if (shareAColour(traces[i], traces[j])) ofSameColour.push_back(j);
       if (namesOnePair(traces[i].label, traces[j].label)) partners.push_back(j);
     }
-    // In a legend by groups every switch's strokes are called the same.
+    // In a legend divided into groups, the strokes of every switch have the same names.
     if (!ofSameColour.empty()) partners = ofSameColour;
     const bool hasName = namesACurve(traces[i].label) || isUnreadName(i, traces, drawn);
     const bool alone = partners.empty() && hasName && namedStroke(traces[i]) != Stroke::release;
@@ -113,8 +115,8 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
   return groups;
 }
 
-/// Returns true for two curves in colours of their own whose names may be words for strokes that no list has,
-/// and whose paths are those of strokes.
+/// Returns true for two curves in different colours whose names may be words for strokes in an unlisted
+/// language and whose paths are those of strokes.
 bool areStrokesByPath(const std::vector<CurveTrace>& traces, const Indices& drawn) {
   if (drawn.size() != 2) return false;
   const CurveTrace &a = traces[drawn[0]], &b = traces[drawn[1]];
@@ -127,7 +129,7 @@ double meanRow(const CurveTrace& trace) {
   return sum / static_cast<double>(trace.points_px.size());
 }
 
-/// The press first: as named, else the higher one.
+/// Puts the press first: by name, else the higher curve.
 void putPressFirst(Indices& pair, const std::vector<CurveTrace>& traces) {
   if (pair.size() < 2) return;
   const CurveTrace &a = traces[pair[0]], &b = traces[pair[1]];
@@ -149,7 +151,8 @@ PlotSwitch switchOf(Indices group, const std::vector<CurveTrace>& traces) {
   return found;
 }
 
-/// From the legend's top, row by row; labels whose middle lies in another's height stand in one row.
+/// Sorts switches in the order of the legend, row by row from its top. Labels are in one row if the middle of
+/// one lies within the height of the other.
 void putInLegendOrder(std::vector<PlotSwitch>& switches, const std::vector<CurveTrace>& traces) {
   const auto labelOf = [&](const PlotSwitch& s) { return traces[s.traces.front()].labelBox_px; };
   std::sort(switches.begin(), switches.end(), [&](const PlotSwitch& a, const PlotSwitch& b) {
@@ -186,7 +189,7 @@ std::string bare(std::string_view name) {
   return out;
 }
 
-/// Letters that resemble each other in pixels, written alike.
+/// The name with letters that resemble each other in pixels replaced by one of them.
 std::string blurred(std::string_view name) {
   constexpr std::string_view kConfusable = "0o1l5s8b2zil";  // first like second, third like fourth, ...
   std::string out = bare(name);
@@ -196,7 +199,8 @@ std::string blurred(std::string_view name) {
   return out;
 }
 
-/// Switches with a name, or a legend's words of a stroke, equal to the requested one after `spelled`.
+/// Indices of switches with a name, or a legend text of a stroke, that equals the requested one after both
+/// pass through `spelled`.
 template <class Spelled>
 Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTrace>& traces,
               const std::string& requested, Spelled spelled) {
@@ -210,7 +214,7 @@ Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTr
   return fitting;
 }
 
-/// Switches whose name is the end of the requested one: the legend key was read over the rest of it.
+/// Switches whose name is the end of the requested one: the legend key was read together with the rest of it.
 Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::string& requested) {
   constexpr std::size_t fewest = 4;  // letters and digits
   const std::string wanted = bare(requested);
@@ -235,8 +239,8 @@ std::vector<std::string> nameWordsOf(std::string_view name) {
   return words;
 }
 
-/// Returns true if a word of five letters and more differs from another in one letter within it, which a text
-/// engine may have misread. First and last ones and digits distinguish switches: "SwitchA", "Mk2".
+/// Returns true if a word of at least five letters differs from another in one inner letter, which a text
+/// engine may have misread. First and last letters and digits distinguish switches: "SwitchA", "Mk2".
 bool isMisreadOf(const std::string& read, const std::string& requested) {
   constexpr std::size_t fewest = 5;
   if (read.size() != requested.size() || requested.size() < fewest) return false;
@@ -247,7 +251,7 @@ bool isMisreadOf(const std::string& read, const std::string& requested) {
   return isLetter(*here) && isLetter(*there) && std::equal(std::next(here), read.end(), std::next(there));
 }
 
-/// Switches of whose name one letter of one long word was misread.
+/// Switches whose name differs from the request in one misread letter of one long word.
 Indices namedNearly(const std::vector<PlotSwitch>& switches, const std::string& requested) {
   const std::vector<std::string> wanted = nameWordsOf(requested);
   Indices fitting;

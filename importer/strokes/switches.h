@@ -15,8 +15,8 @@ namespace detent::importer {
 
 /// One of the switches (springs, samples) that a plot shows.
 struct PlotSwitch {
-  std::string name;                 ///< as the legend calls it, empty where it does not
-  Rgb pressColor;                   ///< of the press, as far as names and heights decide
+  std::string name;                 ///< the name in the legend; empty without one
+  Rgb pressColor;                   ///< of the press, as determined by names and heights
   std::optional<Rgb> releaseColor;  ///< empty: press only
   std::vector<std::size_t>
       traces;  ///< one or two of the traces it was found among, in the order of the colours

@@ -12,7 +12,7 @@
 namespace detent::importer::svg {
 namespace {
 
-constexpr double fallbackSide_px = 1000;  // of a drawing that states no size
+constexpr double fallbackSide_px = 1000;  // for a drawing without a size
 
 struct HandleEnd {
   void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
@@ -38,7 +38,7 @@ struct PageSize {
   }
 };
 
-/// The size that the root states, else its view box, else what is drawn.
+/// The size in the root element, else its view box, else the extent of what is drawn.
 PageSize sizeOf(RsvgHandle* handle) {
   PageSize size;
   if (rsvg_handle_get_intrinsic_size_in_pixels(handle, &size.width_px, &size.height_px) && size.usable())
@@ -55,8 +55,8 @@ PageSize sizeOf(RsvgHandle* handle) {
   return size;
 }
 
-/// Cairo rounds to 1/256 of a unit: small drawings are drawn larger. A power of two, so that nothing else is
-/// rounded.
+/// Scale of the drawing. Cairo rounds to 1/256 of a unit, so small drawings are enlarged, by a power of two
+/// so that nothing else is rounded.
 double scaleFor(const PageSize& size, bool rasters) {
   constexpr double side_units = 8192;  // of the PDF
   const double side_px = std::max(size.width_px, size.height_px);

@@ -49,7 +49,7 @@ bool isNamed(const xmlNode* node, std::string_view name) {
   return isElement(node) && viewOf(node->name) == name;
 }
 
-/// Document order; never below a node that `enter` refuses.
+/// Visits nodes in document order; does not descend into a node for which `enter` returns false.
 template <class Enter>
 void forEachNode(xmlNode* root, const Enter& enter) {
   for (xmlNode* node = root; node != nullptr;) {
@@ -64,7 +64,7 @@ void forEachNode(xmlNode* root, const Enter& enter) {
   }
 }
 
-/// Returns true if an error of the parser may mean that the rest of the file is missing.
+/// Returns true if this parser error may mean that the end of the file is missing.
 bool isOfMissingEnd(int code) {
   constexpr std::array codes{
       XML_ERR_DOCUMENT_END,         XML_ERR_TAG_NOT_FINISHED,       XML_ERR_GT_REQUIRED,
@@ -74,11 +74,11 @@ bool isOfMissingEnd(int code) {
   return std::ranges::find(codes, code) != codes.end();
 }
 
-/// Returns true if the last thing in the file closes an element called svg.
+/// Returns true if the file ends by closing an element called svg.
 bool endsDrawing(std::string_view bytes) {
   constexpr std::size_t tail = 256;
   std::string end(bytes.substr(bytes.size() - std::min(bytes.size(), tail)));
-  std::erase(end, '\0');  // UTF-16
+  std::erase(end, '\0');  // for UTF-16
   return trimmed(end).ends_with("svg>");
 }
 
@@ -104,7 +104,7 @@ Document parse(std::string_view bytes, Drawing& drawing) {
   return {};
 }
 
-/// A list of points up to its first error, where browsers end it too; librsvg leaves the element out.
+/// A list of points up to its first error, where browsers stop; librsvg would leave out the element.
 std::string soundPoints(std::string_view points) {
   std::string sound;
   const char *at = points.data(), *const end = at + points.size();
@@ -119,7 +119,7 @@ std::string soundPoints(std::string_view points) {
   }
 }
 
-/// The factor by which a transform list scales lengths on the average; 1 where it cannot be read.
+/// The mean factor by which a transform list scales lengths; 1 if it cannot be read.
 double scaleOf(std::string_view transform) {
   double area = 1;
   for (std::size_t open = transform.find('('); open != std::string_view::npos;
@@ -164,7 +164,7 @@ class Reader {
   }
 
  private:
-  /// Drawings cut out of a web page have no name space.
+  /// Adds the SVG name space, which drawings cut out of a web page lack.
   static void nameSpaces(xmlNode* root) {
     if (root->ns != nullptr) return;
     xmlNs* const own = xmlNewNs(root, reinterpret_cast<const xmlChar*>(svgNamespace), nullptr);
@@ -174,7 +174,7 @@ class Reader {
     });
   }
 
-  /// Browsers fill the page with the root's background; librsvg does not.
+  /// Browsers fill the page with the root's background colour; librsvg does not.
   static void paintBackground(xmlNode* root) {
     std::string color = propertyOf(root, "background-color");
     if (color.empty()) color = propertyOf(root, "background");
@@ -199,7 +199,7 @@ class Reader {
       xmlAddChild(root, page);
   }
 
-  /// Style sheets become plain and variables are learnt.
+  /// Simplifies style sheets and collects variables.
   bool collect(xmlNode* node) {
     if (isNamed(node, "style")) {
       const std::string media = takeText(xmlGetNoNsProp(node, xmlText("media")));
@@ -252,7 +252,7 @@ class Reader {
            name != "desc";
   }
 
-  /// Cairo refuses some links, and with them the page; filters turn lines into pixels.
+  /// Removes links, some of which make cairo refuse the page, and filters, which turn lines into pixels.
   static void dropAttributes(xmlNode* node, std::string_view name) {
     for (xmlAttr* attribute = node->properties; attribute != nullptr;) {
       xmlAttr* const next = attribute->next;
@@ -265,7 +265,7 @@ class Reader {
     drawing_.rasters = drawing_.rasters || css.find("mask:") != std::string_view::npos;
   }
 
-  /// Shadows and glows would turn lines into pixels: a property of another name does nothing.
+  /// Disables shadows and glows, which would turn lines into pixels, by renaming the property.
   static std::string withoutFilters(std::string css) {
     constexpr std::string_view property = "filter:";
     for (std::size_t at = css.find(property); at != std::string::npos;
@@ -278,7 +278,7 @@ class Reader {
     if (drawing_.undrawn.empty()) drawing_.undrawn = what;
   }
 
-  /// Animations that begin by themselves; one that waits for a click leaves the drawing as it stands.
+  /// Notes animations that start by themselves. One that waits for a click does not change the drawing.
   void noteAnimation(xmlNode* node) {
     const std::string_view name = viewOf(node->name);
     if (name != "set" && !name.starts_with("animate")) return;
@@ -309,7 +309,7 @@ class Reader {
     if (plain != value) setAttribute(node, attribute, plain);
   }
 
-  /// A line that is as wide as it says however its plane is scaled: librsvg 2.54 scales it.
+  /// Keeps the stated width of a line whose width must not follow transforms; librsvg 2.54 scales it.
   void keepWidth(xmlNode* node) {
     if (propertyOf(node, "vector-effect") != "non-scaling-stroke") return;
     double scale = 1;
@@ -324,12 +324,12 @@ class Reader {
                  xmlText(style + ";stroke-width:" + std::to_string(own / scale)));
   }
 
-  /// librsvg 2.54 sets text on its alphabetic baseline only.
+  /// Shifts text to its requested baseline, because librsvg 2.54 knows only the alphabetic one.
   static void onBaseline(xmlNode* node) {
     std::string baseline;
     for (xmlNode* each = node; baseline.empty() && each != nullptr && isElement(each); each = each->parent)
       baseline = propertyOf(each, "dominant-baseline");
-    const char* down = nullptr;  // as far as Arial's letters reach above their baseline there
+    const char* down = nullptr;  // distance that Arial's letters reach above that baseline
     if (baseline == "central" || baseline == "middle") down = "0.35em";
     if (baseline == "hanging") down = "0.73em";
     if (baseline == "text-before-edge" || baseline == "text-top") down = "0.9em";
@@ -337,7 +337,7 @@ class Reader {
       xmlSetNsProp(node, nullptr, xmlText("dy"), xmlText(down));
   }
 
-  /// librsvg 2.54 turns about the corner whatever the origin is.
+  /// Moves a transform to its origin, because librsvg 2.54 always transforms about the corner.
   void aroundOrigin(xmlNode* node) {
     const std::string origin = propertyOf(node, "transform-origin"), turn = propertyOf(node, "transform");
     if (origin.empty() || turn.empty()) return;
@@ -355,7 +355,7 @@ class Reader {
                  xmlText(shift(x, y) + " " + turn + " " + shift(-x, -y)));
   }
 
-  /// As the style attribute states it, else the attribute of that name.
+  /// Value of the property in the style attribute, else the attribute of that name.
   static std::string propertyOf(xmlNode* node, const std::string& name) {
     std::string stated;
     bool found = false;

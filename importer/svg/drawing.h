@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An SVG file as XML that librsvg draws like a browser.
+// Prepares an SVG file as XML that librsvg draws like a browser.
 
 #include <functional>
 #include <string>
@@ -10,9 +10,9 @@ namespace detent::importer::svg {
 
 struct Drawing {
   std::string xml;          ///< UTF-8, without a document type; empty if refused
-  int leftOut = 0;          ///< references to other files, and HTML: neither is drawn
-  std::string withoutFont;  ///< letters that no font has, once each, UTF-8; boxes stand for them
-  std::string undrawn;     ///< the first thing that browsers show otherwise: "translate", ":has", "<animate>"
+  int leftOut = 0;          ///< number of references to other files and of HTML parts, which are not drawn
+  std::string withoutFont;  ///< letters that no font has, each once, UTF-8; they are drawn as boxes
+  std::string undrawn;     ///< first feature that browsers draw differently: "translate", ":has", "<animate>"
   bool rasters = false;    ///< uses masks
   bool truncated = false;  ///< refused: it ends too early
   std::string problem;     ///< refused: why

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* folder = "/usr/share/fonts/truetype/liberation/";  // Debian's fonts-liberation
 
-/// Names that chart programs write, and which of the fonts has their widths.
+/// Font names that chart programs write, mapped to the font with the same widths.
 constexpr const char* aliases = R"(<?xml version="1.0"?><fontconfig>
 <alias binding="same"><family>sans-serif</family><prefer><family>Liberation Sans</family></prefer></alias>
 <alias binding="same"><family>serif</family><prefer><family>Liberation Serif</family></prefer></alias>
@@ -36,7 +36,7 @@ constexpr const char* aliases = R"(<?xml version="1.0"?><fontconfig>
 <edit name="family" mode="append_last"><string>Liberation Sans</string></edit></match>
 </fontconfig>)";
 
-/// Descriptor of a file in memory with the content of this one; -1 if there is none.
+/// Descriptor of a copy of the file in memory; -1 if it does not exist.
 int copyInMemory(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return -1;

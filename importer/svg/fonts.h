@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The fonts that the worker draws with: Liberation, whose letters are as wide as those of Arial, Times and
-// Courier, and for other scripts those it is handed. None of the machine's, so that a drawing is the same
+// The fonts of the worker: Liberation, whose letters have the widths of Arial, Times and Courier, and fonts
+// for other scripts that it receives. The machine's own fonts are not used, so that a drawing is the same
 // everywhere.
 
 #include <string_view>
@@ -9,11 +9,11 @@
 
 namespace detent::importer::svg {
 
-/// Copies of Liberation's files in memory, as descriptors; call before the file system is closed. Empty where
-/// they are not installed. `drawing`: what it never mentions is left out.
+/// Copies of Liberation's files in memory, as file descriptors. Call before access to the file system is
+/// closed. Empty if they are not installed. `drawing`: fonts that it does not name are left out.
 std::vector<int> liberationFonts(std::string_view drawing);
 
-/// Makes the font files at these descriptors all that fontconfig knows. False: it cannot.
+/// Restricts fontconfig to the font files at these descriptors. Returns false if that fails.
 bool useFonts(const std::vector<int>& descriptors);
 
 /// Returns true if one of them has this code point.

@@ -29,7 +29,7 @@ std::string withoutComments(std::string_view css) {
   return out;
 }
 
-/// Index behind the bracket that closes the one at `open`; the text's size if none does.
+/// Index behind the bracket that closes the one at `open`; the text's size if it is never closed.
 std::size_t behindBracket(std::string_view text, std::size_t open, char opens, char closes) {
   int depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
@@ -92,9 +92,9 @@ bool mediaApply(std::string_view queries) {
 
 namespace {
 
-/// One selector without :is() and :where(), as many as their arguments are.
+/// Expands :is() and :where() in one selector: one selector for each of their arguments.
 std::vector<std::string> writtenOut(const std::string& selector) {
-  constexpr std::size_t mostSelectors = 256;  // lists in lists multiply
+  constexpr std::size_t mostSelectors = 256;  // nested lists multiply
   std::vector<std::string> open{selector}, out;
   while (!open.empty() && open.size() + out.size() < mostSelectors) {
     const std::string one = std::move(open.back());
@@ -199,7 +199,7 @@ class StyleWriter {
     return layers_.size() - 1;
   }
 
-  /// A rule each: librsvg leaves a list out where it does not know one of its selectors.
+  /// Writes one rule per selector, because librsvg drops a list if it does not know one of its selectors.
   void emit(const std::vector<std::string>& selectors, const std::string& declarations, std::size_t layer) {
     if (declarations.empty()) return;
     std::string& to = layer == none ? unlayered_ : layers_[layer].second;
@@ -239,10 +239,10 @@ void addVariables(std::string_view text, Variables& to) {
 
 namespace {
 
-/// Replaces each call of a function by what `valueOf` makes of its arguments; inner calls come first.
+/// Replaces each call of a function by `valueOf` its arguments; inner calls are replaced first.
 template <class ValueOf>
 void replaceCalls(std::string& text, std::string_view call, const ValueOf& valueOf) {
-  constexpr int mostCalls = 64;  // a variable may name itself
+  constexpr int mostCalls = 64;  // a variable may refer to itself
   for (int i = 0; i < mostCalls; ++i) {
     const std::size_t at = text.rfind(call);
     if (at == std::string::npos) return;
@@ -252,7 +252,7 @@ void replaceCalls(std::string& text, std::string_view call, const ValueOf& value
   }
 }
 
-/// The arguments up to the first comma outside brackets, and what follows it.
+/// The arguments up to the first comma outside brackets, and the rest.
 std::pair<std::string, std::string> splitAtComma(std::string_view arguments) {
   int depth = 0;
   const auto comma = std::ranges::find_if(arguments, [&](char c) {

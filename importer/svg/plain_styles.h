@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Style sheets as librsvg 2.54 reads them: it skips media queries and knows no variables, nested rules and
-// layers.
+// Rewrites style sheets for librsvg 2.54, which skips media queries and does not support variables, nested
+// rules and layers.
 
 #include <algorithm>
 #include <map>
@@ -40,14 +40,15 @@ struct PlainStyles {
 /// Returns true if a media query list applies to a light screen of any width.
 bool mediaApply(std::string_view queries);
 
-/// Rules for other media are left out, those for screens stand for themselves; other at-rules are left out.
-/// Nested rules are written out, layers are put in their order, and :is() and :where() become lists.
+/// Applies media rules: rules for other media are removed, those for screens are unwrapped. Other at-rules
+/// are removed. Nested rules are expanded, layers are put in their order, and :is() and :where() become
+/// selector lists.
 PlainStyles plainStyles(std::string_view css);
 
 /// Adds the variables declared in a style sheet or a style attribute.
 void addVariables(std::string_view declarations, Variables& to);
 
-/// The text with var(), light-dark(), oklch(), oklab() and lengths in rem replaced by what they stand for.
+/// The text with var(), light-dark(), oklch(), oklab() and lengths in rem replaced by their values.
 std::string withValues(std::string text, const Variables& variables);
 
 }  // namespace detent::importer::svg

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array drawnFunctions{"matrix", "translate", "translatex", "translatey", "scale", "scalex",
                                     "scaley", "rotate",    "skewx",      "skewy",      "skew"};
-// They move a curve or replace it.
+// Properties that move a curve or replace it.
 constexpr std::array movingProperties{"translate", "rotate", "scale",      "offset-path",
                                       "offset",    "d",      "perspective"};
 constexpr std::array colourFunctions{"oklch(", "lch(", "oklab(", "lab(", "color(", "color-mix("};
@@ -21,7 +21,7 @@ constexpr std::array drawnPseudoClasses{
     "first-child", "last-child",  "only-child", "first-of-type", "last-of-type",     "only-of-type",
     "nth-child",   "nth-of-type", "root",       "empty",         "nth-last-of-type", "nth-last-child",
     "not",         "link",        "lang",       "visited",       "any-link"};
-/// They apply to no drawing that nobody touches.
+/// Pseudo-classes that apply only to a drawing with which somebody interacts.
 constexpr std::array touchedPseudoClasses{"hover",         "active", "focus",   "focus-within",
                                           "focus-visible", "target", "checked", "disabled"};
 
@@ -40,7 +40,7 @@ std::string_view wordAt(std::string_view text, std::size_t begin) {
 
 bool isNone(std::string_view value) { return value.empty() || value == "none" || value == "initial"; }
 
-/// A function or a unit that librsvg does not know; it leaves the whole list out then.
+/// A function or unit that librsvg does not know; it then ignores the whole list.
 std::string undrawnTransform(std::string_view value) {
   if (value.find('%') != std::string_view::npos) return "transform: %";
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -57,7 +57,7 @@ std::string undrawnTransform(std::string_view value) {
   return {};
 }
 
-/// Empty if the declaration is drawn, else what to call it.
+/// Empty if librsvg draws the declaration; else the name to report.
 std::string undrawnPart(std::string_view name, std::string_view value, bool animates) {
   const auto calls = [&](std::string_view call) { return value.find(call) != std::string_view::npos; };
   const auto named = [&](bool undrawn) { return undrawn ? std::string(name) : std::string(); };

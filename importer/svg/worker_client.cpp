@@ -56,7 +56,8 @@ Descriptor fileInMemory(ByteView content) {
   return Descriptor(fcntl(made.number(), F_DUPFD_CLOEXEC, aboveWorkers));
 }
 
-/// Beside the running program, in libexec beside its folder; and as seen from a module of Python.
+/// Folders of the worker: beside the running program, in the libexec beside its folder, and relative to a
+/// Python module.
 std::vector<std::filesystem::path> workerFolders() {
   std::vector<std::filesystem::path> folders;
   std::error_code error;
@@ -89,7 +90,7 @@ struct SpawnActions {
   SpawnActions& operator=(const SpawnActions&) = delete;
 };
 
-/// The worker's number, or a negative error.
+/// Process id of the worker, or a negative error code.
 pid_t start(const std::string& path, const WorkerJob& job, int in, int out,
             const std::vector<Descriptor>& fonts) {
   SpawnActions spawn;
@@ -112,12 +113,12 @@ pid_t start(const std::string& path, const WorkerJob& job, int in, int out,
   return error == 0 ? worker : -error;
 }
 
-/// Waits until the worker ends; kills it where it is cancelled or sleeps too long. `end` is set in these
-/// cases.
+/// Waits until the worker ends; kills it if it is cancelled or takes too long. `end` is set in these cases.
 int waitFor(pid_t worker, const WorkerJob& job, WorkerEnd& end) {
   using Clock = std::chrono::steady_clock;
   constexpr int pollInterval_ms = 20;
-  constexpr int othersShare = 12;  // a busy machine gives the worker at least this part of a processor
+  // even a busy machine gives the worker at least one part in so many of a processor
+  constexpr int othersShare = 12;
   const auto last = Clock::now() + std::chrono::seconds(othersShare * job.processor_s);
   const Descriptor watched(static_cast<int>(syscall(SYS_pidfd_open, worker, 0)));
   pollfd polled{watched.number(), POLLIN, 0};

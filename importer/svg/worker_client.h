@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Runs detent-svg-worker, the program that draws SVG files: no library of it is loaded here, and whatever a
-// drawing does to it, this process goes on. POSIX. Any thread.
+// Runs detent-svg-worker, the program that draws SVG files. Its libraries are not loaded into this process,
+// so a malicious drawing cannot crash it. POSIX. Any thread.
 
 #include <functional>
 #include <span>
@@ -14,7 +14,7 @@ using ByteView = std::span<const unsigned char>;
 
 struct WorkerJob {
   ByteView drawing;
-  std::vector<ByteView> fonts;  ///< files, for letters that the usual fonts have not
+  std::vector<ByteView> fonts;  ///< font files for letters that the usual fonts do not have
   int processor_s = 5;
   int memory_MB = 1024;
   std::function<bool()> cancelled;  ///< called every 20 ms; may be empty
@@ -24,11 +24,11 @@ enum class WorkerEnd {
   drawn,
   cancelled,
   absent,      ///< the program is not installed; `words`: the folders that were searched
-  notStarted,  ///< the machine gives no process; `words`: why
+  notStarted,  ///< no process could be started; `words`: the reason
   truncated,   ///< the file ends too early
   refused,     ///< `words`: what is wrong with the drawing, in the library's English
   tooSlow,
-  tooLarge,  ///< what it draws
+  tooLarge,  ///< the drawing exceeds the limits
   broke      ///< it crashed or ran out of memory
 };
 

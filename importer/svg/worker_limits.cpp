@@ -24,7 +24,7 @@ constexpr std::uint32_t ownArchitecture = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
 constexpr std::uint32_t ownArchitecture = AUDIT_ARCH_AARCH64;
 #else
-constexpr std::uint32_t ownArchitecture = 0;  // no filter
+constexpr std::uint32_t ownArchitecture = 0;  // unknown processor: no filter is installed
 #endif
 
 // AddressSanitizer reserves terabytes of address space.
@@ -41,7 +41,7 @@ void setLimit(decltype(RLIMIT_CPU) what, rlim_t value) {
   setrlimit(what, &limit);
 }
 
-/// Landlock with no rule at all: every opening by name is refused.
+/// A Landlock ruleset without rules: every opening of a file by name is refused.
 void refuseFiles() {
   landlock_ruleset_attr handled{};
   handled.handled_access_fs =
@@ -56,7 +56,7 @@ void refuseFiles() {
   close(static_cast<int>(rules));
 }
 
-/// The calls below fail with EPERM, all others are allowed.
+/// A filter under which the calls below fail with EPERM and all others are allowed.
 void refuseCalls() {
   constexpr std::array refused{SYS_socket,
                                SYS_socketpair,

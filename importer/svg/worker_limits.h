@@ -13,8 +13,8 @@ struct WorkerLimits {
 /// Bounds processor time, address space and output; the process ends with its parent.
 void limitResources(const WorkerLimits& limits);
 
-/// From here on no file can be opened by its name, no socket made and no program started. Libraries must
-/// have read their own files. Each part that the kernel does not know is skipped.
+/// From now on opening a file by name, making a socket and starting a program fail. Libraries must have read
+/// their own files before. A restriction that the kernel does not know is skipped.
 void closeTheWorld();
 
 }  // namespace detent::importer::svg

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent-svg-worker: draws one SVG file as a page of PDF. Started by the importer, in a process of its own
-// because librsvg cannot be interrupted and drawings may be hostile; protocol.h says what goes in and out.
+// detent-svg-worker: draws one SVG file as a PDF page. The importer starts it as a separate process, because
+// librsvg cannot be interrupted and drawings may be hostile; protocol.h describes input and output.
 
 #include <cstdio>
 #include <cstdlib>
@@ -74,5 +74,5 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace detent::importer::svg
 
-/// Ends without taking anything down: what the libraries keep is the system's to free.
+/// Exits without destructors, because the system frees the libraries' memory.
 int main(int argc, char** argv) { std::_Exit(detent::importer::svg::run(argc, argv)); }

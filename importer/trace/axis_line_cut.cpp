@@ -12,13 +12,15 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeastTail = 0.05;     // of the frame's width; shorter ones are rounded corners
-constexpr double kLeastBare = 0.03;     // of the frame's width without curves, to know the axis' thickness
-constexpr double kLeastThicker = 1.12;  // times the axis' own; a curve drawn over it would be visible
+constexpr double kLeastTail = 0.05;  // of the frame's width; shorter ones are rounded corners
+// of the frame's width, free of curves, for measuring the axis' thickness
+constexpr double kLeastBare = 0.03;
+// times the axis' own thickness; a curve drawn over it would be visible
+constexpr double kLeastThicker = 1.12;
 constexpr double kSame =
-    0.35;  // of the difference between the axis' and the curve's thickness; less is the axis
+    0.35;  // of the difference between the axis' and the curve's thickness; less means axis only
 constexpr double kThickest_px = 8;  // of a curve; points farther from the axis are not on it
-constexpr double kBeside = 3;       // curve widths within which it thickens the axis
+constexpr double kBeside = 3;       // curve widths within which a curve thickens the axis
 constexpr double kColumn_px = 3;    // beside a vertical line of the plot, where the axis is thicker
 
 /// Thickness of the x axis between two places, at columns accepted by `take` and not crossed by a vertical

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ends of strokes that were followed along the x axis: a key that stays down has no force any more, and its
-// release ends on the axis in the middle of the travel. Private to importer/trace.
+// Removes ends of strokes that were traced along the x axis. A self-locking key that stays down has no force
+// any more, so its release ends on the axis in the middle of the travel. Private to importer/trace.
 
 #include <vector>
 
@@ -10,8 +10,8 @@
 
 namespace detent::importer::trace {
 
-/// Cuts traces where they run along the x axis and the axis is no thicker there than where no curve comes
-/// near. If the axis is as thick as the curves, nothing is cut.
+/// Cuts traces where they run along the x axis and the axis is no thicker there than where no curve is near
+/// it. If the axis is as thick as the curves, nothing is cut.
 void cutAlongAxisLine(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 /// Cuts traces where they cross bare paper to the frame's upper or right edge and then run along it.

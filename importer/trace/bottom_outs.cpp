@@ -15,18 +15,19 @@ namespace {
 constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row of the bottom-out
 constexpr double kMostOfCurve = 1.7;   // of the curve's thickness; bars and shaded areas are thicker
 constexpr double kLean_px = 0.75;      // lean between the halves of a bottom-out, at most
-constexpr double kMuch_px = 0.4;  // more pixels than the plot's own line has, whatever the curve's thickness
+// additional pixels compared with the plot's own line, whatever the curve's thickness
+constexpr double kMuch_px = 0.4;
 constexpr double kMuchOfThickness = 0.35;  // the same as a share of the curve's thickness, at least
 constexpr double kLittle_px =
-    0.3;  // more pixels than that line has, where all rows and the curve's thickness agree
+    0.3;  // additional pixels compared with that line, if all rows and the curve's thickness agree
 constexpr double kThinRows =
-    0.15;  // of a lane's rows: thin rows of a bottom-out are thicker than thick ones of a line
+    0.15;  // of a lane's rows: the thin rows of a bottom-out are thicker than the thick rows of a line
 // of the frame's height; without pixels over this distance below the end there is no line
 constexpr double kBareBelow = 0.1;
 constexpr double kPlumb_px = 1.5;      // px within which the points of a vertical rise lie
 constexpr double kLeastHeight = 0.05;  // of the frame's height
 constexpr std::size_t kLeastRows = 6;  // rows needed to measure a thickness
-constexpr double kProbed_px = 14;      // rows examined; a horizontal line may take 7 of them
+constexpr double kProbed_px = 14;      // rows examined; a horizontal line may cover 7 of them
 // line widths beside the bottom-out within which a crest belongs to the corner
 constexpr double kHook = 4;
 constexpr double kHook_px = 4;        // and pixels over which a path bends at a corner
@@ -107,8 +108,8 @@ struct LostBottomOut {
   double x = 0, riseStart = 0, top = 0;  ///< area px
 };
 
-/// For curves that end beside each other: the bottom-out rises from the uppermost, and below the lowest only
-/// the plot's own line may stand on the lane.
+/// For curves that end side by side: the bottom-out rises from the uppermost end, and below the lowest end
+/// only the plot's own line may stand on the lane.
 struct Ends {
   double uppermost = 0, lowest = 0;  ///< area px
 };
@@ -141,7 +142,7 @@ std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const Co
   const double top =
       lane.top(probe, std::max(0.5 * (seen.usual + line.usual), 0.8 * kLeastOfCurve * w), 2 * w + 3);
   if (ends.uppermost - top < least_px) return {};
-  // If only the corner is thicker, it is the corner.
+  // If only the corner is thicker, there is no bottom-out.
   if (!isBottomOut(Thickness::between(lane, top, probe).value_or(seen))) return {};
   const double half = 0.5 * (top + probe);
   if (std::abs(lane.middle(top, half) - lane.middle(half, probe)) > kLean_px) return {};

@@ -90,7 +90,7 @@ Point directionOf(const Polyline& line, std::size_t a, std::size_t b, Point chor
   return dot(d, chord) > 0.7 ? d : chord;
 }
 
-/// Replaces stretches where neither the curve nor anything that follows it is visible by a smooth piece,
+/// Replaces stretches where neither the curve nor anything it could hide under is visible by a smooth curve,
 /// because the coarse path is arbitrary there (all ways across a box cost the same).
 void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
   constexpr std::size_t kShortest = 4, kTangent = 12;
@@ -216,7 +216,8 @@ std::vector<double> matchRound(Polyline& line, const CurveField& field, const Li
     offset[i] = std::clamp(agreement / information, -kLargestMove_px, kLargestMove_px);
     weight[i] = share;
     const double mismatch = std::abs(ownArea - drawnArea) * kNormalStep_px / profile.width_px;
-    if (mismatch > 0.5) weight[i] *= 0.15;  // a marker, an arrow or a gap, not the line's own shape
+    // a marker, an arrow or a gap changes the shape here, not the line itself
+    if (mismatch > 0.5) weight[i] *= 0.15;
   }
   move(line, normals, stiffened(offset, weight, kStiffness));
   return weight;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a coarse path to the sub-pixel centre line. The line is drawn (width, blur, what hides it) along the
-// present estimate, compared with the picture, and moved across itself until both agree. This corrects
-// corners, ends and half-hidden stretches; hidden stretches follow what covers them.
+// From a coarse path to the sub-pixel centre line. The line is drawn with its width, blur and concealment
+// along the present estimate, compared with the picture, and moved sideways until both agree. This corrects
+// corners, ends and half-hidden stretches; fully hidden stretches follow the line that covers them.
 
 #include <vector>
 

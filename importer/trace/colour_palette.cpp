@@ -129,8 +129,8 @@ void addLetterColour(std::vector<PaletteColour>& colours, const PlotScene& scene
   PaletteLimits one;
   one.maxColours = 1;
   for (const PaletteColour& letter : findColours(scene, others, one)) {
-    // The rim of a grey line is no colour of black letters: other colours explain what is darker than a
-    // colour can be, and two opposite colours make black.
+    // The pale rim of a grey line does not show the colour of black letters. Pixels darker than any colour
+    // allows are explained by other colours, and two opposite colours make black.
     const bool known = std::any_of(colours.begin(), colours.end(), [&](const PaletteColour& colour) {
       return dot(colour.direction, letter.direction) > 0.99F && letter.strength <= kDarkest * colour.strength;
     });

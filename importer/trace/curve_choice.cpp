@@ -328,7 +328,7 @@ bool isLineFromRest(const PlotColours& plot, const std::vector<CurveColour>& cur
          line.pooling * line.path.span_px >= leastTravel * longest_px;
 }
 
-/// Discards faint colour on edges of letters (sub-pixel rendering) beside the colour of text.
+/// Discards faint colour at the edges of letters (sub-pixel rendering) in favour of the text's colour.
 void disbelieveFringes(const PlotColours& plot, int index, const std::vector<int>& curveColours,
                        CurveField& field) {
   constexpr int kReach = 2;

@@ -17,8 +17,8 @@ struct DashedPath {
   CoarseCurve path;
 };
 
-/// Finds the dashed line in the colour of a solid curve, if what the curve leaves of its colour is one over
-/// at least half of its travel. `curveColours`: those of all curves.
+/// Finds the dashed line in the colour of a solid curve: the remaining pixels of that colour must form a
+/// dashed line over at least half of the curve's travel. `curveColours`: those of all curves.
 std::optional<DashedPath> dashedBeside(const CurveTrace& solid, const CurveColour& curve,
                                        const std::vector<int>& curveColours, const PlotColours& plot);
 

@@ -46,7 +46,7 @@ struct Explanation {
   std::vector<Remainder> left;   ///< most curve-like first
   std::vector<TraceJump> jumps;  ///< longest first
   Patches patches;               ///< in the curves' colours; the traced line may be the edge of a filled area
-  LineBeside beside;             ///< for a curve that was traced alone
+  LineBeside beside;             ///< only if a single curve was traced
 };
 
 /// `curves`: all traced ones, including those of other switches.

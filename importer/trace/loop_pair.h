@@ -20,9 +20,10 @@ struct PlanePair {
   bool bottomOutsCut = false;  ///< a stroke ends where its bottom-out continues in dashes
   double ownRelease_px = 0;    ///< length of pixels that only the second stroke explains
   double further_px = 0;       ///< travel of the best curve in the remaining pixels
-  bool bottomOutLeftOver =
-      false;  ///< that curve climbs to the tops of both like a bottom-out: another switch's, or their own
-  bool leftItsLine = false;  ///< a stroke crosses paper where its line continues
+  /// that curve climbs to the tops of both strokes like a bottom-out: of another switch, or of these
+  /// strokes
+  bool bottomOutLeftOver = false;
+  bool leftItsLine = false;  ///< a stroke crosses paper although its line continues elsewhere
 };
 
 PlanePair findPair(const Structure& structure, const WorkPlane& plane);

@@ -26,8 +26,8 @@ constexpr std::array<GridStep, kDirections> kSteps{
     {{0, 1},  {1, 5},  {1, 3},  {1, 2},  {2, 3},  {1, 1},  {3, 2},  {2, 1},  {3, 1},  {5, 1}, {1, 0},
      {5, -1}, {3, -1}, {2, -1}, {3, -2}, {1, -1}, {2, -3}, {1, -2}, {1, -3}, {1, -5}, {0, -1}}};
 
-/// Subtracted per pixel on a steep way down, so that going up and down a steep line does not earn twice. A
-/// true steep drop is still cheaper than any detour.
+/// Subtracted per pixel on a steep way down, so that going up and down the same steep line does not earn
+/// twice. A true steep drop is still cheaper than any detour.
 constexpr float kSteepFall = 1.3F;
 
 struct Moves {

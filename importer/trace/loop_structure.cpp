@@ -198,7 +198,7 @@ std::array<float, kBins> dutiesOf(const Lanes& lanes, const StraightLine& line) 
 }
 
 /// Stretches in which the line may explain coverage. Where a dashed line seems solid, a curve runs along it.
-/// Beside a hole (for text) a solid line is half a stretch long, which does not make it dashed.
+/// Beside a gap for text a solid line is drawn over half a stretch, which does not make it dashed.
 std::array<bool, kBins> explainableBins(const WorkPlane& plane, const StraightLine& line) {
   const std::array<float, kBins> duty = dutiesOf(Lanes(plane, line.vertical), line);
   std::vector<float> drawn, besideNoHole;

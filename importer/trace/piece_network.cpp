@@ -385,7 +385,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke(double leastCover) {
 }
 
 void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
-  // Vertical lines at both ends gain no travel, so the search did not take them.
+  // Vertical lines at both ends add no travel, so the search did not take them; they are added here.
   const auto walked = [&](std::size_t piece) {
     return std::any_of(steps.begin(), steps.end(), [&](const Step& s) { return s.piece == piece; });
   };

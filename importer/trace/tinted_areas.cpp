@@ -232,8 +232,8 @@ class TintedAreas {
       }
     return core;
   }
-  /// Colour of an area's pixel as it would be on paper: marks cover both alike, the plot's lines and all else
-  /// show through.
+  /// Colour of an area's pixel as it would be on paper: marks cover area and paper alike; the plot's lines
+  /// and everything else show through the area.
   Color3 onPaper(Color3 pixel, Color3 tint, Color3 core) const {
     constexpr float alongLines = 0.97F;  // cosine
     const Color3 under = withoutFilm(core, tint) - paper_;

@@ -26,10 +26,10 @@ namespace detent::playback {
 namespace {
 
 constexpr const char* jackApi = "JACK";
-constexpr double lostAfter_s = 0.5;  // without a callback
-constexpr double lookEvery_s = 0.5;  // for a lost device
+constexpr double lostAfter_s = 0.5;   // without a callback for this time, the device counts as lost
+constexpr double retryEvery_s = 0.5;  // interval of attempts to reopen a lost device
 
-/// Host libraries print about every device they do not find; that is not for our users.
+/// Host libraries print messages about every device they do not find; these do not concern our users.
 class QuietStderr {
  public:
   QuietStderr() {
@@ -51,7 +51,7 @@ class QuietStderr {
   int saved_ = -1;
 };
 
-// PortAudio is one per process; its device list is made when the first user starts it.
+// PortAudio exists once per process; it makes its device list when it is initialised by the first user.
 std::recursive_mutex libraryMutex;
 int libraryUsers = 0;
 
@@ -97,7 +97,7 @@ AudioDeviceInfo infoOf(PaDeviceIndex index) {
   info.hostApi = api->name;
   info.inputChannels = d->maxInputChannels;
   info.outputChannels = d->maxOutputChannels;
-  // PortAudio, too, counts a JACK client's ports by its name as a regular expression.
+  // PortAudio too treats a JACK client's name as a regular expression when it counts ports.
   const bool jack = JackStream::available() && info.hostApi.starts_with(jackApi);
   if (jack && info.name.find_first_of("()[]{}.*+?^$|\\") != std::string::npos)
     info.outputChannels = JackStream::inputCount(info.name);
@@ -131,7 +131,7 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
     names += (names.empty() ? "" : ", ") + info.fullName();
   }
   if (partly.size() == 1) return partly.front();
-  // Each JACK client is a device to PortAudio; "JACK" alone means the one that is the default.
+  // For PortAudio each JACK client is a device; "JACK" alone means the default one.
   const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
   if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
@@ -167,7 +167,7 @@ Result<double> sampleRateFor(const AudioSettings& settings) {
   return settings.sampleRate_Hz > 0 ? settings.sampleRate_Hz : own;
 }
 
-/// The stream and the thread that watches over it.
+/// The stream with the thread that monitors it.
 class AudioOutput::Stream {
  public:
   Stream(const AudioSettings& settings, LiveSession& session, CallbackHooks hooks)
@@ -199,7 +199,8 @@ class AudioOutput::Stream {
 
  private:
   std::optional<Failure> openStream() {
-    // A server that was there once is asked for by itself: PortAudio would have to look at all devices again.
+    // A JACK server that was found once is opened directly, because PortAudio would have to enumerate all
+    // devices again.
     if (!jackTarget_.empty()) return openJack(jackTarget_, channels_);
     const std::lock_guard lock(libraryMutex);
     library_ = std::make_unique<Library>();
@@ -304,10 +305,10 @@ class AudioOutput::Stream {
   void watch() {
     std::unique_lock lock(watchMutex_);
     while (!stopping_) {
-      wake_.wait_for(lock, std::chrono::duration<double>(lost_ ? lookEvery_s : lostAfter_s / 2));
+      wake_.wait_for(lock, std::chrono::duration<double>(lost_ ? retryEvery_s : lostAfter_s / 2));
       if (stopping_) return;
       lock.unlock();
-      lost_ ? lookAgain() : checkAlive();
+      lost_ ? reopen() : checkAlive();
       lock.lock();
     }
   }
@@ -320,7 +321,7 @@ class AudioOutput::Stream {
     closeStream();
   }
 
-  void lookAgain() {
+  void reopen() {
     renderer_.takeWhileAway();
     if (openStream()) {
       closeStream();
@@ -363,7 +364,7 @@ Result<std::unique_ptr<AudioOutput>> AudioOutput::open(const AudioSettings& sett
 
 namespace {
 
-/// What the callback of playAndRecord walks through.
+/// State that the callback of playAndRecord needs.
 struct Duplex {
   const std::vector<float>* samples;
   Recording* recording;
@@ -426,7 +427,7 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
     if (stream != nullptr) Pa_CloseStream(stream);
     return troubleOf(settings.device, Message("cannot play and record at once"), error);
   }
-  lock.unlock();  // minutes: others may list and open devices meanwhile
+  lock.unlock();  // unlocked for minutes, so that other threads can list and open devices
   const double deadline_s = now_s() + static_cast<double>(samples.size()) / rate + 5;
   while (Pa_IsStreamActive(stream) == 1 && now_s() < deadline_s && !cancelled()) sleepUntil(now_s() + 0.02);
   const bool complete = duplex.at >= samples.size() || cancelled();
@@ -440,7 +441,7 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
   return recording;
 }
 
-/// A ring the callback writes and one thread reads.
+/// A ring buffer that the callback writes and one thread reads.
 class AudioCapture::Recorder {
  public:
   explicit Recorder(double rate) : rate_(rate), clock_(rate), ring_(static_cast<std::size_t>(rate * 4)) {}
@@ -501,7 +502,7 @@ class AudioCapture::Recorder {
   void record(const float* in, unsigned long frames) {
     std::uint64_t at = written_.load(std::memory_order_relaxed);
     clock_.onCallback(now_s(), static_cast<std::int64_t>(at), static_cast<std::int64_t>(frames));
-    // The callback is entered when the block is complete: its first sample is one block old.
+    // The callback is called when a block is complete, so its first sample is one block old.
     base_s_.store(-(clock_.frameAt(0) + static_cast<double>(frames)) / rate_, std::memory_order_release);
     if (at + frames - taken_.load(std::memory_order_acquire) > ring_.size()) {
       dropped_ += frames;

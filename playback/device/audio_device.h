@@ -25,10 +25,10 @@ struct AudioDeviceInfo {
   std::string fullName() const { return hostApi + ": " + name; }
 };
 
-/// All devices of all host APIs. Looks anew each time while no stream is open.
+/// All devices of all host APIs. Searches for them again at each call while no stream is open.
 Result<std::vector<AudioDeviceInfo>> listAudioDevices();
 
-/// How a JACK server is reached (jack_stream.h says why there are two).
+/// Way to reach a JACK server (jack_stream.h explains why there are two).
 enum class JackRoute : std::uint8_t { ownClient, portAudio };
 
 struct AudioSettings {
@@ -37,30 +37,35 @@ struct AudioSettings {
   /// Samples per callback; 0 lets the host choose, which on JACK is its period without an extra buffer
   /// (a fixed number doubles the delay of full-duplex streams: PortAudio issue 1007).
   unsigned bufferFrames = 0;
-  int channels =
-      2;  ///< the same signal on each; fewer where the device has fewer; 0: none, it is for the rain alone
-  double rainLevel =
-      0;  ///< masking noise on up to two channels behind the signal's, which leave it at least one; 0: none
-  bool ears = false;  ///< channels behind the signal's also without rain, for the sound of presses
+  /// channels with the vibration, the same signal on each; fewer if the device has fewer; 0: none, the
+  /// stream is for the rain alone
+  int channels = 2;
+  /// level of masking noise, on at most two channels behind those of the vibration, which keeps at least
+  /// one; 0: no noise
+  double rainLevel = 0;
+  /// the channels behind the vibration's exist also without rain, for the sound of presses
+  bool ears = false;
   JackRoute jackRoute = JackRoute::ownClient;
 };
 
 enum class StreamState : std::uint8_t { running, lost };
 
-/// An open output stream that renders a session. If the device goes away its thread closes the stream and
-/// looks for the device until it is back; the session, its program and its position live on.
+/// An open output stream that renders a session. If the device disappears, the stream's thread closes the
+/// stream and tries to open it again until the device is back. The session, its program and its position are
+/// kept.
 class AudioOutput {
  public:
-  /// The session must outlive the stream; it is set to the stream's rate, again whenever the device comes back at another one.
+  /// The session must outlive the stream. Its sample rate is set to that of the stream, again each time the
+  /// device comes back at another rate.
   static Result<std::unique_ptr<AudioOutput>> open(const AudioSettings& settings, LiveSession& session,
                                                    CallbackHooks hooks = {});
   ~AudioOutput();
 
   StreamState state() const;
-  std::uint64_t losses() const;  ///< how often the device went away
+  std::uint64_t losses() const;  ///< number of times the device disappeared
   std::string deviceName() const;
-  double latency_s()
-      const;  ///< from a buffer to the device's output, as the sound system says; 0: it does not
+  /// seconds from a buffer to the device's output, as reported by the sound system; 0: not reported
+  double latency_s() const;
 
  private:
   class Stream;
@@ -71,14 +76,14 @@ class AudioOutput {
 /// Sample rate a session for this device should have.
 Result<double> sampleRateFor(const AudioSettings& settings);
 
-/// What came back from a device.
+/// Samples recorded from a device.
 struct Recording {
   std::vector<float> samples;
-  std::uint64_t dropouts = 0;  ///< blocks the host says were lost or came too late
+  std::uint64_t dropouts = 0;  ///< blocks that the host reports as lost or late
 };
 
-/// Plays `samples` on the device while recording its input's channel 0, for measurements; the recording is as long. Once `cancelled`
-/// says so it ends at once and the rest is silence.
+/// Plays `samples` on the device and records channel 0 of the input, for measurements. The recording is as
+/// long as `samples`. After `cancelled` has returned true it ends at once, and the rest is silence.
 Result<Recording> playAndRecord(const AudioSettings& output, const std::string& inputDevice,
                                 const std::vector<float>& samples, const std::function<bool()>& cancelled);
 

@@ -26,13 +26,15 @@ constexpr double falconWaitOfPeriod = 0.5, falconAnswer_s = 0.2, reopenPause_s =
 constexpr int helloTries = 20, firstAnswers = 20, farewells = 3;
 constexpr unsigned uploadTries = 10;
 constexpr std::size_t pieceBytes = 62;
-// An exchange takes about a period: two commands may be on their way. After so long without any answer one of them was lost.
+// An exchange takes about a period, so two commands may be under way. If more than these have no answer, one
+// was lost.
 constexpr unsigned mostUnanswered = 2;
 constexpr double lost_s = 0.05;
-// A person takes seconds to move the handle out and in; less is broken packets, which carry no checksum.
+// A person takes seconds to move the handle out and in. A shorter homing means corrupt packets, which have no
+// checksum.
 constexpr double homing_s = 0.5;
 
-// Motor value of a torque, and the largest one: libnifalcon's figures, never held against a scale.
+// Motor value per torque, and the largest one, as in libnifalcon; not verified by a measurement.
 constexpr double motorPerNm = 10000, largestMotor = 4096;
 
 constexpr std::uint8_t helloQuestion[] = {0x0a, 0x43, 0x0d}, helloAnswer[] = {0x0a, 0x44, 0x2c, 0x0d},
@@ -40,7 +42,7 @@ constexpr std::uint8_t helloQuestion[] = {0x0a, 0x43, 0x0d}, helloAnswer[] = {0x
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Reads until `wanted` stands at the end of what came.
+/// Reads until the received bytes end with `wanted`.
 bool heard(FalconUsb& usb, Bytes wanted, double wait_s) {
   std::vector<std::uint8_t> got;
   for (const double deadline_s = now_s() + wait_s; usb.alive() && now_s() < deadline_s;) {
@@ -51,34 +53,34 @@ bool heard(FalconUsb& usb, Bytes wanted, double wait_s) {
   return false;
 }
 
-bool told(FalconUsb& usb, Bytes bytes) { return usb.send(bytes) && usb.sent(now_s() + falconAnswer_s); }
+bool delivered(FalconUsb& usb, Bytes bytes) { return usb.send(bytes) && usb.sent(now_s() + falconAnswer_s); }
 
 bool greeted(FalconUsb& usb) {
   if (!usb.set(FalconLine::hello)) return false;
   bool answered = false;
   for (int i = 0; i < helloTries && !answered && usb.alive(); ++i)
-    answered = told(usb, helloQuestion) && heard(usb, helloAnswer, falconAnswer_s / 4);
-  return answered && usb.set(FalconLine::upload) && told(usb, synchronise) &&
+    answered = delivered(usb, helloQuestion) && heard(usb, helloAnswer, falconAnswer_s / 4);
+  return answered && usb.set(FalconLine::upload) && delivered(usb, synchronise) &&
          heard(usb, synchronise, falconAnswer_s);
 }
 
-/// Every piece comes back as it was sent.
+/// Uploads in pieces; the device returns each piece as it was sent.
 bool uploaded(FalconUsb& usb, Bytes image, const std::atomic<bool>& cancelled) {
   if (!greeted(usb)) return false;
   for (; !image.empty(); image = image.subspan(std::min(pieceBytes, image.size()))) {
     const Bytes piece = image.first(std::min(pieceBytes, image.size()));
-    if (cancelled || !told(usb, piece) || !heard(usb, piece, falconAnswer_s)) return false;
+    if (cancelled || !delivered(usb, piece) || !heard(usb, piece, falconAnswer_s)) return false;
   }
   return true;
 }
 
-/// Whether a firmware runs: then it answers a packet that asks for nothing.
+/// Returns true if a firmware is running: then it answers an empty packet.
 bool running(FalconUsb& usb) {
   if (!usb.set(FalconLine::run)) return false;
   FalconAnswers answers;
   const FalconPacket quiet = falconPacket({});
   for (int i = 0; i < firstAnswers && usb.alive(); ++i) {
-    if (!told(usb, quiet)) continue;
+    if (!delivered(usb, quiet)) continue;
     for (const std::uint8_t byte : usb.receive(now_s() + falconAnswer_s / 10)) {
       if (answers.take(byte)) return true;
     }
@@ -88,7 +90,7 @@ bool running(FalconUsb& usb) {
 
 struct Started {
   std::unique_ptr<FalconUsb> usb;
-  unsigned uploads = 0;  ///< tries of the firmware
+  unsigned uploads = 0;  ///< number of attempts to upload the firmware
 };
 
 Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<bool>& cancelled) {
@@ -207,7 +209,7 @@ class FalconForceDevice : public ForceDevice {
     for (std::size_t i = 0; i < angles_rad.size(); ++i) angles_rad[i] = falconAngle_rad(answer.counts[i]);
     ForceReading reading;
     const std::optional<FalconPlace_mm> place_mm = falconPlace_mm(angles_rad, place_mm_);
-    if (!place_mm) {  // legs that do not meet: the guard calls it no number
+    if (!place_mm) {  // impossible angles of the legs: the guard rejects NaN
       reading.position_mm = std::numeric_limits<double>::quiet_NaN();
       return reading;
     }
@@ -217,7 +219,8 @@ class FalconForceDevice : public ForceDevice {
     return reading;
   }
 
-  /// All three smaller by the same share where one would be too large: the force keeps its direction.
+  /// If one value would be too large, all three are scaled by the same factor, so that the force keeps its
+  /// direction.
   std::array<int, 3> motorsOf(const ForceCommand& command) const {
     std::array<int, 3> motors{};
     const auto torques_Nm =
@@ -230,7 +233,8 @@ class FalconForceDevice : public ForceDevice {
     return motors;
   }
 
-  // Opening and a firmware take seconds: another thread does it while the loop goes on without force.
+  // Opening the device and uploading a firmware take seconds, so another thread does it while the loop
+  // continues without force.
   void bringBack() {
     if (!returning_.valid()) {
       if (now_s() - triedBack_s_ < reopenPause_s) return;
@@ -243,7 +247,7 @@ class FalconForceDevice : public ForceDevice {
     Result<Started> started = returning_.get();
     if (!started) return;
     take(std::move(*started));
-    zero_ = ForceReading::Zero::lost;  // until it has been moved out and in, or somebody arms
+    zero_ = ForceReading::Zero::lost;  // until the handle has been moved out and in, or somebody arms
     ++counts_.reconnects;
   }
 
@@ -253,12 +257,14 @@ class FalconForceDevice : public ForceDevice {
   ForceLinkCounts counts_;
   FalconPlace_mm place_mm_{};
   bool homed_ = false;
-  std::optional<double> unhomedSince_s_;                ///< the first of the answers that say so
-  unsigned unanswered_ = 0;                             ///< commands on their way
-  ForceReading::Zero zero_ = ForceReading::Zero::kept;  ///< what the next reading has to say of it
+  std::optional<double> unhomedSince_s_;  ///< time of the first answer that reports it
+  unsigned unanswered_ = 0;               ///< commands without an answer so far
+  /// state of the zero, to be reported with the next reading
+  ForceReading::Zero zero_ = ForceReading::Zero::kept;
   double sent_s_ = 0, triedBack_s_ = 0;
   std::atomic<bool> ending_{false};
-  std::future<Result<Started>> returning_;  ///< last: it uses the others until it is done
+  /// declared last, because it uses the other members until it is done
+  std::future<Result<Started>> returning_;
 };
 
 }  // namespace

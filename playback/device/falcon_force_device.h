@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A Novint Falcon: pressing goes away from the person, along z; sideways is x and y, held on the axis by the guide. It has never
-// touched hardware (docs/guide/force-feedback.md).
+// A Novint Falcon. Pressing moves the handle away from the person, along z; x and y are sideways, and the
+// guide keeps the handle on the axis. Not yet tested with hardware (docs/guide/force-feedback.md).
 
 #include <cstdint>
 #include <memory>
@@ -13,16 +13,18 @@
 namespace detent::playback {
 
 struct FalconSettings {
-  unsigned number = 0;                 ///< of several
-  std::vector<std::uint8_t> firmware;  ///< empty: the device has been given one since it was switched on
+  unsigned number = 0;  ///< index among several connected Falcons
+  /// empty: the device has received its firmware since it was switched on
+  std::vector<std::uint8_t> firmware;
   double period_s = 0.001;
 };
 
-/// Where a button's rest lies, before the middle of the base, mm.
+/// Position of a button's rest, mm in front of the middle of the base.
 inline constexpr double falconRest_mm = 140;
 
-/// Opens it, gives it the firmware where it has none (some seconds; it may take several tries, counted). Trouble: not connected, no
-/// right to it, no firmware, none taken. Until the person has moved the handle all the way out and in, it is `homing`.
+/// Opens the device and uploads the firmware if it has none, which takes some seconds and may need several
+/// tries (counted). Failure deviceTrouble: not connected, no permission, no firmware, or upload failed. The
+/// state is `homing` until the person has moved the handle all the way out and in.
 Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings);
 
 }  // namespace detent::playback

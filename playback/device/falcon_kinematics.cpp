@@ -12,12 +12,14 @@ namespace {
 using Vector = std::array<double, 3>;
 constexpr double pi = std::numbers::pi;
 
-// Of one leg, in its own plane: u away from the middle of the base, v along the base, w to the person.
+// Dimensions of one leg in its own plane: u away from the middle of the base, v along the base, w to the
+// person.
 constexpr double baseU_mm = 40, baseV_mm = -23.09;  // of the thigh's axis
 constexpr double thigh_mm = 60, shin_mm = 102.5;
-constexpr double joints_mm = 11.25 + 11.25;             // between shin and thigh, and shin and handle
-constexpr double handleU_mm = 14.43, handleV_mm = -25;  // from the shin's end to the handle's middle
-constexpr double tilt_rad = pi / 12;                    // of the legs from the desk
+constexpr double joints_mm = 11.25 + 11.25;  // between shin and thigh, and shin and handle
+// from the end of the shin to the middle of the handle
+constexpr double handleU_mm = 14.43, handleV_mm = -25;
+constexpr double tilt_rad = pi / 12;  // of the legs, relative to the table top
 constexpr Vector legs_rad{pi / 2 + tilt_rad, -pi / 6 + tilt_rad, -5 * pi / 6 + tilt_rad};
 
 constexpr double countsPerTurn = 320 * 4, capstan_mm = 14.25, sector_mm = 110;
@@ -26,10 +28,10 @@ constexpr double zero_rad = 35 * pi / 180;  // of the thigh at count 0
 constexpr int mostSteps = 40;
 constexpr double closeEnough_mm = 1e-11, farthest_mm = 1000, stretched = 1e-6;
 
-/// One leg at a place of the handle.
+/// Geometry of one leg at a position of the handle.
 struct Leg {
   double h_mm = 0, w_mm = 0;    ///< from the thigh's axis to the shin's end, before the joints
-  double reach_mm = 0;          ///< of shin and joints, seen in the leg's plane
+  double reach_mm = 0;          ///< length of shin and joints as projected to the leg's plane
   double lean = 0;              ///< of the shin out of that plane: -d reach / d v
   double cosine = 0, sine = 0;  ///< of the leg's direction
 };
@@ -49,7 +51,8 @@ std::optional<Leg> legAt(std::size_t i, const Vector& p) {
   return leg;
 }
 
-/// The leg closes where (h - a cos t)^2 + (w - a sin t)^2 - reach^2 is 0; this, and how it changes with the place and the thigh.
+/// The leg closes where (h - a cos t)^2 + (w - a sin t)^2 - reach^2 is 0; this, and how it changes with the
+/// place and the thigh.
 struct Closure {
   double gap_mm2 = 0, byThigh_mm2 = 0;
   Vector byPlace_mm{};
@@ -68,7 +71,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// x a + y b + z c = d by Cramer's rule. None where a, b, c lie in one plane.
+/// Solves x a + y b + z c = d by Cramer's rule. None if a, b, c lie in one plane.
 std::optional<Vector> combination(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
   const double volume = dot(a, cross(b, c));
   if (!(std::abs(volume) > stretched * std::sqrt(dot(a, a) * dot(b, b) * dot(c, c)))) return {};
@@ -87,7 +90,7 @@ std::optional<FalconAngles_rad> falconAngles_rad(const FalconPlace_mm& place_mm)
     const std::optional<Leg> leg = legAt(i, place_mm);
     if (!leg) return {};
     const double distance_mm = std::hypot(leg->h_mm, leg->w_mm);
-    // Law of cosines; of the two ways to bend, the knee points outwards.
+    // Law of cosines; of the two solutions, that with the knee outwards.
     const double cosine = (distance_mm * distance_mm + thigh_mm * thigh_mm - leg->reach_mm * leg->reach_mm) /
                           (2 * thigh_mm * distance_mm);
     if (!(std::abs(cosine) <= 1)) return {};
@@ -120,7 +123,8 @@ std::optional<FalconPlace_mm> falconPlace_mm(const FalconAngles_rad& angles_rad,
   return {};
 }
 
-// A small turn of the thighs moves the handle by N dp = -D dt, so that F dp = t dt makes t = -D y with y N = F.
+// A small turn dt of the thighs moves the handle by dp with N dp = -D dt. Because F dp = t dt, the torques
+// are t = -D y with y N = F.
 std::optional<std::array<double, 3>> falconTorques_Nm(const FalconPlace_mm& place_mm,
                                                       const std::array<double, 3>& force_N) {
   const std::optional<FalconAngles_rad> angles = falconAngles_rad(place_mm);

@@ -22,7 +22,7 @@ std::uint16_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::uint16_t>(bytes[at] | bytes[at + 1] << 8);
 }
 
-/// Four letters, the lowest four bits first; none where one is no such letter.
+/// Value of four letters, the lowest four bits first; none if one is not such a letter.
 std::optional<int> valueAt(const FalconPacket& packet, std::size_t at) {
   std::uint16_t value = 0;
   for (std::size_t i = 0; i < bytesPerValue; ++i) {
@@ -68,7 +68,7 @@ FalconPacket falconPacket(const FalconCommand& command) {
   return packet;
 }
 
-// The brackets are no letters: wherever one stands, a packet begins or ends.
+// '<' and '>' occur only at the ends of a packet, so wherever one stands, a packet begins or ends.
 std::optional<FalconAnswer> FalconAnswers::take(std::uint8_t byte) {
   if (byte == opening) {
     malformed_ += length_ > 0 ? 1 : 0;

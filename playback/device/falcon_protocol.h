@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What goes over a Falcon's wire: 16 bytes each way, and the firmware it has to be given once after power-on. After libnifalcon
-// (BSD-3); docs/develop/decisions/1103-falcon.md.
+// Data on a Falcon's USB connection: packets of 16 bytes each way, and the firmware that it needs once after
+// power-on. After libnifalcon (BSD-3); docs/develop/decisions/1103-falcon.md.
 
 #include <array>
 #include <cstddef>
@@ -33,26 +33,27 @@ using FalconPacket = std::array<std::uint8_t, 16>;
 /// '<', 14 values of four bits as letters from 'A', '>'.
 FalconPacket falconPacket(const FalconCommand& command);
 
-/// Bytes in, whole answers out; never more than one packet is kept.
+/// Takes bytes, returns whole answers; never keeps more than one packet.
 class FalconAnswers {
  public:
   /// The answer that `byte` completes.
   std::optional<FalconAnswer> take(std::uint8_t byte);
-  /// Packets that were none.
+  /// Number of invalid packets.
   std::uint64_t malformed() const { return malformed_; }
   void forget() { length_ = 0; }
 
  private:
   FalconPacket packet_{};
-  std::size_t length_ = 0;  ///< of what has come of a packet
+  std::size_t length_ = 0;  ///< bytes received of the present packet
   std::uint64_t malformed_ = 0;
 };
 
-/// Whether bytes are a boot image as the Falcon's processor takes it: a key, an entry point, blocks with their lengths, an end
-/// exactly at the end.
+/// Returns true if the bytes are a boot image for the Falcon's processor: a key, an entry point, blocks with
+/// their lengths, and an end exactly at the end.
 bool isFalconFirmware(std::span<const std::uint8_t> image);
 
-/// A firmware file that the user names; its licence forbids to ship it. Trouble where it cannot be read or is none.
+/// Reads the firmware file that the user names, because its licence forbids distribution. Failure if it
+/// cannot be read or is no firmware.
 Result<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file);
 
 }  // namespace detent::playback

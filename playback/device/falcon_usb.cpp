@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint16_t vendor = 0x0403, product = 0xcb48;
 constexpr unsigned char endpointIn = 0x81, endpointOut = 0x02;
-constexpr std::size_t packetBytes = 64, statusBytes = 2;  // the chip's own, before everything it hands on
+constexpr std::size_t packetBytes = 64, statusBytes = 2;  // the chip's own status bytes, in front of all data
 constexpr unsigned control_ms = 300;
 constexpr double usbFarewell_s = 0.2;
 
@@ -75,7 +75,7 @@ Failure usbTrouble(unsigned number, int error) {
 
 }  // namespace
 
-// The two transfers call back inside libusb_handle_events, on the thread that uses the device.
+// Both transfers call back inside libusb_handle_events, on the thread that uses the device.
 struct FalconUsb::Link {
   libusb_context* context = nullptr;
   libusb_device_handle* handle = nullptr;
@@ -96,7 +96,7 @@ struct FalconUsb::Link {
       libusb_release_interface(handle, 0);
       libusb_close(handle);
     }
-    // A transfer the bus never gave back stays its own: freeing it would be worse.
+    // A transfer that the bus has not returned must not be freed, so it leaks.
     if (!listening) libusb_free_transfer(in);
     if (!sending) libusb_free_transfer(out);
     if (descriptors != nullptr) libusb_free_pollfds(descriptors);
@@ -150,7 +150,7 @@ struct FalconUsb::Link {
     link.gone = link.gone || transfer->status != LIBUSB_TRANSFER_COMPLETED;
     const auto bytes = static_cast<std::size_t>(std::max(0, transfer->actual_length));
     if (bytes > statusBytes) {
-      // What nobody fetched is old: the newest counts.
+      // Bytes that nobody took are outdated, so they make room for the newest.
       if (link.inboxBytes + bytes > link.inbox.size()) link.inboxBytes = 0;
       std::copy_n(transfer->buffer + statusBytes, bytes - statusBytes, link.inbox.data() + link.inboxBytes);
       link.inboxBytes += bytes - statusBytes;
@@ -165,7 +165,7 @@ struct FalconUsb::Link {
                               transfer->status != LIBUSB_TRANSFER_CANCELLED);
   }
 
-  // libusb's own wait knows whole milliseconds only, and a period is one.
+  // libusb can wait only in whole milliseconds, and one millisecond is a period.
   void wait(double deadline_s) {
     const double left_s = std::max(0.0, deadline_s - now_s());
     timespec time{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The USB side of a Falcon: an FTDI serial chip under libusb. falcon_usb.cpp alone includes it.
+// USB connection of a Falcon: an FTDI serial chip, driven by libusb, which only falcon_usb.cpp includes.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,29 +11,30 @@
 
 namespace detent::playback {
 
-/// How the chip talks to the Falcon's processor.
+/// Settings of the serial line between the chip and the Falcon's processor.
 enum class FalconLine : std::uint8_t {
-  hello,   ///< 9600 baud: the processor is reset and asked who it is
-  upload,  ///< 140,000 baud: it takes a firmware
-  run      ///< 1.5 Mbaud, answers at once
+  hello,   ///< 9600 baud: the processor is reset and identifies itself
+  upload,  ///< 140,000 baud: the processor receives a firmware
+  run      ///< 1.5 Mbaud: the processor answers packets at once
 };
 
-/// One thread, besides construction.
+/// One thread, except for construction.
 class FalconUsb {
  public:
-  /// The `number`th Falcon on the bus, counted from 0. Trouble where there is none, or no right to it.
+  /// Opens the `number`th Falcon on the bus, counted from 0. Failure if there is none, or without permission.
   static Result<std::unique_ptr<FalconUsb>> open(unsigned number);
   ~FalconUsb();
 
-  /// False once it was unplugged or the bus gave an error: it has to be opened anew.
+  /// Returns false after the device was unplugged or the bus reported an error; it must then be opened again.
   bool alive() const;
-  /// Sets the line; false where the device does not take it.
+  /// Sets the line; returns false if the device does not accept it.
   bool set(FalconLine line);
-  /// Hands bytes (at most 64) to the device without waiting; false while the ones before are still on their way.
+  /// Passes at most 64 bytes to the device without waiting. Returns false while the previous ones are still
+  /// being sent.
   bool send(std::span<const std::uint8_t> bytes);
   /// Waits until everything was sent, or `deadline_s` (on now_s()).
   bool sent(double deadline_s);
-  /// What came, waiting until something does or `deadline_s`. Valid until the next call.
+  /// Returns the received bytes; waits for them until `deadline_s`. Valid until the next call.
   std::span<const std::uint8_t> receive(double deadline_s);
 
  private:

@@ -12,16 +12,16 @@ namespace detent::playback {
 namespace {
 
 constexpr double punctual_s = 100e-6;
-// A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits
-// out what is left awake: at most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
+// A sleeping thread wakes some tens of microseconds late. So it asks to be woken that much earlier and waits
+// actively for the rest: at most 3 % of a processor (docs/develop/decisions/1106-force-loop-timing.md).
 constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
-// An answer that is missed in a step that itself began so late is no fault of the device.
+// A missing answer in a step that itself began this late is not counted as the device's fault.
 constexpr double lateShare = 0.25;
 constexpr double queuePause_s = 0.0005;
-constexpr double longestGap = 4;  // periods; a pause beyond it is a stall
+constexpr double longestGap = 4;  // periods; a longer pause is a stall
 constexpr int longestFade_steps =
-    4000;  // the force is gone long before; a device that never answers ends too
+    4000;  // the force is gone long before; also ends the loop of a device that never answers
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void ForceLoop::takeProgram() {
   std::swap(program_, next);
   engine_.setProgram(*program_);
   device_->setProgram(*program_);
-  retired_.try_enqueue(std::move(next));  // freed by the other thread
+  retired_.try_enqueue(std::move(next));  // the other thread frees it
 }
 
 void ForceLoop::awaitProgram() {
@@ -69,7 +69,8 @@ void ForceLoop::takeOrders() {
     device_->rearm();
     engine_.rearm();
   }
-  if (emergency_.exchange(false)) engine_.emergencyStop();  // last: of both the stop counts
+  // last, so that of an emergency stop and an arming the stop counts
+  if (emergency_.exchange(false)) engine_.emergencyStop();
 }
 
 bool ForceLoop::isStall(double pause_s) const {
@@ -78,12 +79,12 @@ bool ForceLoop::isStall(double pause_s) const {
 
 void ForceLoop::step() {
   requested_s_ = now_s();
-  // The device has given up the force of before the pause; it must not have it back at once.
+  // The device has removed the force during the pause, so it must increase from zero again.
   if (exchanged_s_ > 0 && isStall(requested_s_ - exchanged_s_)) command_.force_N = 0;
   ForceReading reading = device_->exchange(command_);
   if (settings_.paced) {
     const double before_s = std::exchange(exchanged_s_, now_s());
-    // What a late loop did not see may have moved.
+    // The handle may have moved while a delayed loop took no readings.
     if (before_s > 0) reading.periods = std::max(1.0, (exchanged_s_ - before_s) / program_->period_s);
   }
   // An answer that waited while this program stood still is the place of before the pause.
@@ -156,7 +157,7 @@ void ForceLoop::run() {
   for (std::int64_t i = 0; !stopping_ && (settings_.steps == 0 || i < settings_.steps); ++i) {
     if (settings_.paced) {
       waitFor(due_s);
-      // After a stall the loop goes on from now: it does not run after the time it lost.
+      // After a stall the loop continues from now, without catching up.
       due_s = std::max(due_s, now_s() - program_->period_s) + program_->period_s;
     }
     if (!settings_.paced && i > 0 && i == settings_.waitsAfter_steps) awaitProgram();
@@ -171,7 +172,7 @@ void ForceLoop::run() {
     if (settings_.paced) sleepUntil(due_s += program_->period_s);
     step();
   }
-  // Whatever law the device runs by itself, and whoever stopped it: no force follows from here on.
+  // Sent last: no force from here on, whatever law the device runs and whoever stopped the loop.
   ForceCommand nothing;
   nothing.halted = true;
   device_->exchange(nothing);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The thread between a force device and a force engine: one exchange and one step per period, on time,
-// counted.
+// The thread that connects a force device and a force engine: one exchange and one step per period, on time,
+// with statistics.
 
 #include <atomic>
 #include <cstdint>
@@ -18,23 +18,23 @@
 namespace detent::playback {
 
 struct ForceLoopSettings {
-  /// false: as fast as the machine can, for devices whose time is their own (the simulated one).
+  /// false: runs as fast as the machine can, for devices with a time of their own (the simulated one).
   bool paced = true;
-  std::int64_t steps = 0;  ///< 0: until stopped
-  bool holdToRun = false;  ///< force only while `ForceLoop::hold` is said again and again
-  /// Of a loop that is not paced: after so many steps it waits for the next program; 0: never.
+  std::int64_t steps = 0;  ///< number of steps; 0: until stopped
+  bool holdToRun = false;  ///< there is force only while `ForceLoop::hold` is called repeatedly
+  /// For a loop that is not paced: after this many steps it waits for the next program; 0: never.
   std::int64_t waitsAfter_steps = 0;
 };
 
-/// How long one `ForceLoop::hold` lasts: a key that is held down repeats three times in it.
+/// Duration of one `ForceLoop::hold`: a key that is held down repeats three times within it.
 inline constexpr double holdLasts_s = 0.15;
 
-/// How punctual the loop was. A step is late by how long after its time it began.
+/// Punctuality of the loop. The delay of a step is the time from its scheduled to its actual beginning.
 struct DeadlineCounts {
-  std::uint64_t steps = 0, within100us = 0, missed = 0;  ///< missed: late by a whole period
+  std::uint64_t steps = 0, within100us = 0, missed = 0;  ///< missed: delayed by a whole period or more
   double worst_s = 0, mean_s = 0;
   std::uint64_t computerLate = 0,
-                deviceLate = 0;  ///< answers missed in steps that began late, and in steps on time
+                deviceLate = 0;  ///< missing answers, of steps that began late and of steps on time
   bool realtime = false;         ///< the system granted real-time scheduling
 };
 
@@ -45,35 +45,35 @@ struct ForceLoopStatus {
   ForceGuardCounts guard;
   ForceLinkCounts link;
   double lowestBalance_mJ = 0;
-  std::uint64_t droppedRows = 0;  ///< steps that nobody fetched in time
+  std::uint64_t droppedRows = 0;  ///< steps that were dropped because nobody took them in time
   ForceDeviceState device = ForceDeviceState::ready;
   ForceHalt halt = ForceHalt::none;
   bool finished = false;
 };
 
-/// Owns the device while it lives. Its functions belong to one other thread.
+/// Owns the device while it exists. Its functions may be called from one other thread.
 class ForceLoop {
  public:
   ForceLoop(std::unique_ptr<ForceDevice> device, const ForceProgram& program,
             const ForceLoopSettings& settings);
-  /// Lets the force fall to nothing, then lets the device go.
+  /// Lets the force fall to zero, then releases the device.
   ~ForceLoop();
   ForceLoop(const ForceLoop&) = delete;
   ForceLoop& operator=(const ForceLoop&) = delete;
 
-  /// Exchanges the button; its force rises from nothing.
+  /// Exchanges the button; its force increases from zero.
   void setProgram(const ForceProgram& program);
   ForceLoopStatus status() const;
-  /// Appends the steps since the last call.
+  /// Appends the steps since the last call to `steps`.
   void takeSteps(std::vector<ForceStep>& steps);
-  /// No force within a few periods, and none until `rearm`. Any thread; waits for nothing.
+  /// Removes the force within a few periods, until `rearm`. Any thread; returns at once.
   void emergencyStop() { emergency_ = true; }
-  /// A person wants force again: it rises from nothing. Any thread.
+  /// Called when a person wants force again: it increases from zero. Any thread.
   void rearm() { rearming_ = true; }
-  /// Hold-to-run: there is force only while the last word was `true`, and that not longer ago than
-  /// `holdLasts_s`. Any thread.
+  /// Hold-to-run: there is force only while the last call had `true`, and no longer than `holdLasts_s` after
+  /// it. Any thread.
   void hold(bool held);
-  /// Asks for the end; `status().finished` tells it has come.
+  /// Requests the end; `status().finished` reports when it has come.
   void stop() { stopping_ = true; }
 
  private:
@@ -99,7 +99,7 @@ class ForceLoop {
   double requested_s_ = 0, exchanged_s_ = 0, late_s_ = 0;
   moodycamel::ReaderWriterQueue<ForceStep> rows_;
   moodycamel::ReaderWriterQueue<std::unique_ptr<ForceProgram>> programs_, retired_;
-  mutable std::mutex statusMutex_;  ///< the loop only tries it: a display never makes a step late
+  mutable std::mutex statusMutex_;  ///< the loop only tries to lock it, so that a display never delays a step
   ForceLoopStatus published_;
   std::thread thread_;
 };

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double aloneFor_s = 0.2;  // an escape sequence comes at once
+constexpr double aloneFor_s = 0.2;  // the characters of an escape sequence arrive together
 constexpr double keyWait_s = 0.05;
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who may stop a running force loop from outside: a key of the terminal, a signal, an OSC or FUDI-like message over UDP. Each acts within
-// milliseconds on a thread of its own, whatever the program does meanwhile.
+// Stops a running force loop from outside: by a key of the terminal, a signal, or an OSC or FUDI-like message
+// over UDP. Each acts within milliseconds on its own thread, whatever the program does meanwhile.
 
 #include <atomic>
 #include <cstdint>
@@ -17,25 +17,27 @@
 namespace detent::playback {
 
 struct ForceOrderSettings {
-  bool keys = false;                     ///< of standard input, where it is a terminal
-  bool signals = false;                  ///< SIGUSR1, and what ends the program
+  bool keys = false;                     ///< keys of standard input, if it is a terminal
+  bool signals = false;                  ///< SIGUSR1, and signals that end the program
   std::optional<std::uint16_t> oscPort;  /// 0: the system chooses
   std::string oscAddress = thisMachineOnly;
-  bool holdToRun = false;  ///< the space bar and /detent/hold hold; else the space bar stops
+  /// the space bar and /detent/hold hold the force; otherwise the space bar stops it
+  bool holdToRun = false;
 };
 
-/// Keys: `a` arms, if no other key came within 0.2 s (a terminal's function keys are several); every other one stops. OSC: /detent/stop,
-/// /detent/hold. Arming needs somebody at the terminal: nobody arms over the network or by a signal.
+/// Keys: `a` arms if no other key came within 0.2 s (the function keys of a terminal send several
+/// characters); every other key stops. OSC: /detent/stop, /detent/hold. Arming needs somebody at the
+/// terminal, so it is impossible over the network or by a signal.
 class ForceOrders {
  public:
-  /// The loop must outlive it. Failure where the port cannot be listened on.
+  /// The loop must outlive it. Failure if the port cannot be opened.
   static Result<std::unique_ptr<ForceOrders>> start(ForceLoop& loop, const ForceOrderSettings& settings);
   ~ForceOrders();
   ForceOrders(const ForceOrders&) = delete;
   ForceOrders& operator=(const ForceOrders&) = delete;
 
   std::uint16_t oscPort() const { return osc_ ? osc_->port() : 0; }
-  /// What a key means; `time_s` on now_s().
+  /// Handles a pressed key; `time_s` on now_s().
   void key(char pressed, double time_s);
 
  private:

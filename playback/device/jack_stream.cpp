@@ -17,10 +17,11 @@ namespace detent::playback {
 
 namespace {
 constexpr int mostChannels = 32;
-constexpr double longestCallback_s = 2, look_s = 0.001;
+constexpr double longestCallback_s = 2, poll_s = 0.001;
 void ignoreMessage(const char*) {}
 
-/// Inputs of a client by its very name: JACK would take it for a regular expression, and find none for "... (HDMI)".
+/// Inputs of the client with exactly this name. JACK would treat it as a regular expression and find none for
+/// "... (HDMI)".
 std::vector<std::string> inputsOf(jack_client_t* jack, const std::string& target) {
   std::vector<std::string> names;
   const char** all = jack_get_ports(jack, nullptr, JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput);
@@ -53,19 +54,20 @@ struct JackStream::Client {
     Client& client = *static_cast<Client*>(self);
     client.inside = true;
     if (client.leaving)
-      client.silence(frames);  // what is in a buffer would sound once more
+      client.silence(frames);  // otherwise the buffer's old content would sound again
     else
       client.render(frames);
     client.inside = false;
     return 0;
   }
 
-  /// Waits until the callback is over, for good. libjack cancels its thread wherever it is as soon as a cycle took too long: in the midst of
-  /// ours that ends the whole program, by SIGABRT or SIGSEGV (docs/develop/decisions/0904).
+  /// Waits until the callback has returned for the last time. If a cycle takes too long, libjack cancels its
+  /// thread at any point; inside our callback that would end the whole program by SIGABRT or SIGSEGV
+  /// (docs/develop/decisions/0904).
   void leaveCallback() {
     leaving = true;
-    for (double left_s = longestCallback_s; inside && left_s > 0; left_s -= look_s)
-      sleepUntil(now_s() + look_s);
+    for (double left_s = longestCallback_s; inside && left_s > 0; left_s -= poll_s)
+      sleepUntil(now_s() + poll_s);
   }
   static int xrun(void* self) {
     static_cast<Client*>(self)->renderer.noteXrun();
@@ -153,7 +155,7 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
                    Message("Choose another output; `detent-play devices` lists them"));
   for (std::size_t c = 0; c < std::min(client->channels, inputs.size()); ++c)
     jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c].c_str());
-  jack_recompute_total_latencies(client->jack);  // known as soon as it is open
+  jack_recompute_total_latencies(client->jack);  // so that the latency is known right after opening
   return std::unique_ptr<JackStream>(new JackStream(std::move(client)));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An output stream as a JACK client of our own. PortAudio plays through JACK too, but once the server is gone
-// its stream waits ten minutes before it can be closed; a client of our own comes back at once
+// An output stream as a separate JACK client. PortAudio supports JACK too, but after the server is gone its
+// stream waits ten minutes before it can be closed; a separate client can reconnect at once
 // (docs/develop/decisions/0904).
 
 #include <memory>
@@ -15,18 +15,19 @@ namespace detent::playback {
 
 class JackStream {
  public:
-  /// False in a build without JACK.
+  /// Returns false in a build without JACK.
   static bool available();
-  /// Inputs of the client of this very name; 0 where no server answers.
+  /// Number of inputs of the client with exactly this name; 0 if no server answers.
   static int inputCount(const std::string& target);
-  /// Connects its ports "detent:out_N", the signal's first, to the inputs of the JACK client `target` ("system"). `wanted_Hz` 0: whatever rate
-  /// the server has; the renderer's session is set to it.
+  /// Connects its ports "detent:out_N", the vibration's first, to the inputs of the JACK client `target`
+  /// ("system"). `wanted_Hz` 0: the server's rate. The renderer's session is set to the rate that results.
   static Result<std::unique_ptr<JackStream>> open(const std::string& target, OutputChannels channels,
                                                   double wanted_Hz, StreamRenderer& renderer);
   ~JackStream();
-  /// The server is still there.
+  /// Returns true while the server is running.
   bool alive() const;
-  /// From the end of a buffer's computation to where the server says it sounds; 0: it does not say.
+  /// Seconds from the end of a buffer's computation to its output, as reported by the server; 0: not
+  /// reported.
   double latency_s() const;
 
  private:

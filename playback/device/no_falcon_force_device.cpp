@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A build without libusb.
+// Replacement for builds without libusb.
 
 #include "playback/device/falcon_force_device.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A build without JACK: PortAudio reaches a JACK server by itself where it can.
+// Replacement for builds without JACK. PortAudio then uses a JACK server itself if it can.
 
 #include "playback/device/jack_stream.h"
 

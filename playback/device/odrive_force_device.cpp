@@ -20,20 +20,21 @@ namespace {
 
 constexpr double odriveAnswer_s = 0.3, mmPerM = 1000;
 constexpr double arming_s = 1, rearming_s = 0.15;
-constexpr double velocityRoom = 1.25;    // of the firmware's velocity limit above the engine's
+constexpr double velocityRoom = 1.25;    // ratio of the firmware's velocity limit to the engine's
 constexpr double stateEvery_s = 0.02;    // between two requests for the axis's state
-constexpr double feedEvery_s = 0.015;    // well within the watchdog
-constexpr double positionLost_s = 0.02;  // a position that has not come by then was lost on the way
-constexpr double longestUnsure_s = 1;    // a marker was lost as well: begin anew
-constexpr double quiet_s = 0.015, longestQuiet_s = 0.2;  // nothing more is on its way
-constexpr double sameShare = 1e-3;                       // the device reports a value with few digits
+constexpr double feedEvery_s = 0.015;    // well below the watchdog's time
+constexpr double positionLost_s = 0.02;  // a position that has not arrived by then was lost
+constexpr double longestUnsure_s = 1;    // then a marker was lost as well, so the exchange starts again
+// after this time without input nothing is under way any more
+constexpr double quiet_s = 0.015, longestQuiet_s = 0.2;
+constexpr double sameShare = 1e-3;  // relative tolerance, because the device reports values with few digits
 constexpr int tries = 5;
 constexpr int torqueControl = 1, passThrough = 1;  // CONTROL_MODE_TORQUE_CONTROL, INPUT_MODE_PASSTHROUGH
 constexpr int closedLoop = 8, idle = 1;            // AXIS_STATE_...
-// Firmware 0.5 cuts a property's answer to so many characters.
+// Firmware 0.5 truncates a property's answer to this many characters.
 constexpr std::size_t longestAnswer = 9;
 
-/// The text before a good checksum, or all of one that carries none; none where the checksum is wrong.
+/// The text before a valid checksum, or the whole line if it has none; none if the checksum is wrong.
 std::optional<std::string_view> payloadOf(std::string_view line) {
   const std::size_t star = line.rfind('*');
   if (star == std::string_view::npos) return line;
@@ -44,7 +45,7 @@ std::optional<std::string_view> payloadOf(std::string_view line) {
   return line.substr(0, star);
 }
 
-/// One number and nothing else: what a question about a property gives.
+/// The answer to a question about a property: one number and nothing else.
 std::optional<double> numberIn(std::string_view line) {
   double value = 0;
   if (line == "True" || line == "False") return line == "True" ? 1.0 : 0.0;
@@ -57,12 +58,12 @@ std::optional<double> numberIn(std::string_view line) {
   return value;
 }
 
-/// A whole number that fills the answer: more digits may have been cut off.
+/// Returns true for a whole number that fills the answer, because further digits may have been truncated.
 bool mayBeCut(std::string_view text) {
   return text.size() >= longestAnswer && text.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
-/// "1.25 -0.5", with or without a checksum: position and velocity in turns.
+/// Position of "1.25 -0.5", with or without a checksum: position and velocity in turns.
 std::optional<double> positionIn(std::string_view line) {
   double position = 0, velocity = 0;
   const char* last = line.data() + line.size();
@@ -215,7 +216,7 @@ void OdriveForceDevice::write(const char* property, double value) {
   say("w axis%u.%s %g ", settings_.axis, property, value);
 }
 
-// Commands feed the watchdog; this one asks for nothing.
+// Commands reset the watchdog; this one requests no torque.
 void OdriveForceDevice::feed() { say("c %u %.6f ", settings_.axis, 0.0); }
 
 /// Value of a property as text; none if nothing came in time; empty if there is no such property. Answers
@@ -232,12 +233,12 @@ std::optional<std::string> OdriveForceDevice::askText(const char* property) {
       continue;
     }
     std::optional<std::string_view> text = payloadOf(*line);
-    if (!text) break;  // garbled: nothing tells which question it answered
+    if (!text) break;  // garbled, so the question that it answered is unknown
     if (positionIn(*text)) {
       pending_ = false;
       continue;
     }
-    if (--numbersDue_ > 0) continue;  // of an earlier question
+    if (--numbersDue_ > 0) continue;  // the answer to an earlier question
     while (text->ends_with(' ')) text->remove_suffix(1);
     return numberIn(*text) ? std::string(*text) : std::string();  // "invalid property"
   }
@@ -245,7 +246,7 @@ std::optional<std::string> OdriveForceDevice::askText(const char* property) {
   return {};
 }
 
-/// Asks again where an answer was lost or garbled.
+/// Repeats the question if an answer was lost or garbled.
 std::optional<std::string> OdriveForceDevice::askAgain(const char* property) {
   std::optional<std::string> text;
   for (int i = 0; i < tries && !text && link_.isOpen(); ++i) text = askText(property);
@@ -257,7 +258,7 @@ std::optional<double> OdriveForceDevice::ask(const char* property) {
   return text ? numberIn(*text) : std::nullopt;
 }
 
-// Firmware 0.5 calls it error, 0.6 active_errors, and once disarmed disarm_reason.
+// The property is called error in firmware 0.5, active_errors in 0.6, and disarm_reason after disarming.
 std::uint64_t OdriveForceDevice::error() {
   std::optional<double> bits;
   for (int i = 0; i < tries && !bits; ++i) {
@@ -273,8 +274,8 @@ std::uint64_t OdriveForceDevice::error() {
   return bits && *bits >= 0 && *bits < 1e15 ? static_cast<std::uint64_t>(*bits) : 0;
 }
 
-// Read, kept, written, read back. A setting that the firmware does not have is none, unless the force depends
-// on it.
+// Reads a setting, remembers it, writes it and reads it back. A setting that the firmware does not have is
+// skipped, unless the force depends on it.
 bool OdriveForceDevice::hold(const char* property, double value, bool required) {
   const std::optional<std::string> before = askAgain(property);
   if (!before || (before->empty() && required)) {
@@ -300,11 +301,11 @@ bool OdriveForceDevice::hold(const char* property, double value, bool required) 
     unheld_ = std::string(property) + reported;
     return false;
   }
-  if (!configured_) kept_.push_back({property, *before});  // later it is this program's own
+  if (!configured_) kept_.push_back({property, *before});  // a later value may have been set by this program
   return true;
 }
 
-// A limit that its owner has set lower stands.
+// A lower limit that the owner has set is kept.
 bool OdriveForceDevice::allows(double torque_Nm) {
   for (const char* property : {"motor.config.torque_lim", "config.torque_soft_max"}) {
     const std::optional<std::string> text = askAgain(property);
@@ -323,10 +324,9 @@ bool OdriveForceDevice::allows(double torque_Nm) {
   return true;
 }
 
-// The torque depends on all of these. In torque control the firmware brakes above its velocity limit with
-// torque of its own: that is switched off, and the limit, beyond which it gives up altogether, is moved out
-// of a hand's reach; the engine's own speed limit takes the force away below it. Anticogging would add torque
-// that nobody requested.
+// Settings on which the torque depends. In torque control the firmware brakes above its velocity limit with a
+// torque of its own, which is switched off. The limit beyond which it gives up is moved above a hand's speed;
+// the engine's own speed limit removes the force before. Anticogging would add torque that was not requested.
 bool OdriveForceDevice::configure() {
   const double most_Nm = settings_.force_N * std::abs(settings_.mmPerTurn) / (2 * std::numbers::pi * mmPerM);
   const double fastest = velocityRoom * settings_.speed_mm_per_s / std::abs(settings_.mmPerTurn);
@@ -343,7 +343,7 @@ bool OdriveForceDevice::configure() {
          hold("config.watchdog_timeout", settings_.watchdog_s, true);
 }
 
-/// Waits until every answer that is due has come, or is lost, and nothing else comes.
+/// Waits until all answers that are due have arrived or were lost, and nothing else arrives.
 void OdriveForceDevice::settle() {
   const double start_s = now_s();
   double heard_s = start_s;
@@ -366,8 +366,8 @@ void OdriveForceDevice::settle() {
   markersDue_ = numbersDue_ = 0;
 }
 
-// The watchdog counts from the moment it is switched on, and an axis that is not armed yet is not fed: so it
-// comes last. Old errors, one of them the watchdog's own from a run before, would keep the axis idle.
+// The watchdog starts when it is enabled, and an axis that is not armed receives no commands, so it is
+// enabled last. Old errors, such as that of the watchdog in an earlier run, would keep the axis idle.
 bool OdriveForceDevice::arm(double wait_s) {
   armed_ = false;
   const double deadline_s = now_s() + wait_s;
@@ -412,8 +412,8 @@ void OdriveForceDevice::askPosition() {
   requested_s_ = now_s();
 }
 
-// Answers come in order: once the marker is answered, no position requested before it is on its way any more.
-// Its value cannot be mistaken for a state.
+// Answers arrive in order, so after the marker's answer no earlier position is under way any more. The
+// marker's value cannot be confused with a state.
 void OdriveForceDevice::askMarker() {
   if (!std::exchange(unsure_, true)) unsureSince_s_ = now_s();
   ++markersDue_;
@@ -435,7 +435,7 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
     if (unsure_) return Answer::late;
     if (!std::exchange(pending_, false)) {
       ++counts_.repeated;
-      askMarker();  // not requested: one more may follow
+      askMarker();  // not requested, so another one may follow
       return Answer::late;
     }
     turns = *position;
@@ -444,7 +444,7 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
   const bool marker = number && std::abs(*number - settings_.watchdog_s) <= sameShare * settings_.watchdog_s;
   if (marker) {
     numbersDue_ = std::max(0, numbersDue_ - 1);
-    // One that was sent earlier says nothing of what was requested since.
+    // A marker that was sent earlier does not prove anything about later requests.
     if (markersDue_ > 0 && --markersDue_ == 0 && unsure_) pending_ = unsure_ = false;
   } else if (number) {
     numbersDue_ = std::max(0, numbersDue_ - 1);
@@ -468,7 +468,7 @@ void OdriveForceDevice::takeArrived(double deadline_s) {
   }
 }
 
-/// Requests the position until it comes; only while no loop runs.
+/// Requests the position until it arrives; only while no loop runs.
 std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
   takeArrived(deadline_s);
   if (pending_ && now_s() - requested_s_ > slowestRoundTrip_s) askMarker();
@@ -483,7 +483,7 @@ std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
   }
 }
 
-/// Requests the position and feeds the watchdog until the answer comes, without force.
+/// Requests the position, and resets the watchdog until the answer arrives, without force.
 std::optional<double> OdriveForceDevice::fedFeedback_turns() {
   std::optional<double> turns;
   for (const double end_s = now_s() + slowestRoundTrip_s; !turns && link_.isOpen() && now_s() < end_s;) {
@@ -539,7 +539,7 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
   return reading;
 }
 
-/// The position of this period, if its answer comes in time.
+/// The position of this period, if its answer arrives in time.
 std::optional<double> OdriveForceDevice::nextPosition() {
   const double start_s = now_s();
   takeArrived(start_s + wait_s_);
@@ -548,7 +548,7 @@ std::optional<double> OdriveForceDevice::nextPosition() {
   if (unsure_ && start_s - unsureSince_s_ > longestUnsure_s) settle();
   if (!pending_ && !unsure_) askPosition();
   const bool stateDue = armed_ && start_s - stateSent_s_ > stateEvery_s;
-  if (stateDue) {  // after the position, so that its answer never stands in for the marker's
+  if (stateDue) {  // after the position, so that its answer cannot be mistaken for the marker's
     stateSent_s_ = start_s;
     say("r axis%u.current_state ", settings_.axis);
     ++numbersDue_;
@@ -558,7 +558,7 @@ std::optional<double> OdriveForceDevice::nextPosition() {
     if (!line) return {};
     double turns = 0;
     if (take(*line, turns) == Answer::fresh) return turns;
-    if (!pending_ && !unsure_) askPosition();  // an old one has come: the link is free again
+    if (!pending_ && !unsure_) askPosition();  // an outdated answer has arrived, so the link is free again
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A motor on an ODrive, by its ASCII protocol over USB or UART. The force is a torque on a capstan; ODrive's own watchdog takes it
-// away when the host is silent.
+// A motor on an ODrive, controlled by its ASCII protocol over USB or UART. A torque on a capstan gives the
+// force; ODrive's own watchdog removes it if the host is silent.
 
 #include <memory>
 #include <optional>
@@ -21,21 +21,22 @@ struct OdriveSettings {
   unsigned baud = 115200;  ///< of a UART; USB ignores it
   unsigned axis = 0;       ///< 0 or 1
   double mmPerTurn =
-      60;  ///< not 0; travel of the handle per turn, negative where the motor is mounted the other way
+      60;  ///< not 0; travel of the handle per turn, negative if the motor is mounted the other way round
   double force_N = 1,
          speed_mm_per_s =
-             2000;  ///< > 0; the firmware's own limits: of torque, and of a speed it must not brake below
-  double watchdog_s = 0.05;  ///< the motor is off after so much silence
+             2000;  ///< > 0; limits set in the firmware: torque, and a speed beyond which it must not brake
+  double watchdog_s = 0.05;  ///< the motor is switched off after this time without a command
   double period_s = 0.001;
 };
 
 class OdriveForceDevice : public ForceDevice {
  public:
-  /// Opens a port, reports and clears old errors, sets everything the torque depends on (control mode, input mode, limits, no torque of the
-  /// firmware's own) and reads it back, arms the axis, then switches the watchdog on, and takes the present position as rest. Failure where no
-  /// ODrive answers, a setting does not hold (it is named), or the axis does not arm: with its error.
+  /// Opens a port; reports and clears old errors; sets everything on which the torque depends (control mode,
+  /// input mode, limits, no torque from the firmware itself) and reads it back; arms the axis; then switches
+  /// the watchdog on and takes the present position as rest. Failure if no ODrive answers, if a setting is
+  /// not accepted (it is named), or if the axis does not arm: with its error.
   static Result<std::unique_ptr<OdriveForceDevice>> open(const OdriveSettings& settings);
-  /// No torque, idle, and every setting that was changed as it was before.
+  /// Removes the torque, sets the axis to idle, and restores every setting that was changed.
   ~OdriveForceDevice() override;
 
   /// One question is in flight at a time, because an ODrive's answers carry no number: an answer that comes after its period is late, not
@@ -78,7 +79,7 @@ class OdriveForceDevice : public ForceDevice {
   enum class Answer : std::uint8_t { fresh, late, other };
   Answer take(std::string_view line, double& turns);
 
-  /// A setting of the device as it was before.
+  /// A setting of the device before it was changed.
   struct Kept {
     const char* property;
     std::string text;
@@ -86,24 +87,25 @@ class OdriveForceDevice : public ForceDevice {
 
   SerialLink link_;
   OdriveSettings settings_;
-  double wait_s_;  ///< for an answer
+  double wait_s_;  ///< longest wait for an answer
   ForceLinkCounts counts_;
   std::vector<Kept> kept_;
-  bool configured_ = false;  ///< once: what is read from now on may be this program's own
-  std::string unheld_;       ///< the setting that does not hold, and how
+  bool configured_ = false;  ///< set once: values read from now on may have been set by this program
+  std::string unheld_;       ///< the setting that was not accepted, and the reason
   double rest_turns_ = 0, last_mm_ = 0, stateSent_s_ = 0;
   bool armed_ = false, olderNames_ = true, zeroLost_ = false;
-  bool pending_ = false;       ///< a position is on its way
+  bool pending_ = false;       ///< a position was requested and has not arrived
   bool requestedNow_ = false;  ///< requested in this period
   double requested_s_ = 0;     ///< when
-  bool unsure_ = false;        ///< an answer was lost or garbled: none counts until the marker has come
-  int markersDue_ = 0;         ///< sent and not answered
-  int numbersDue_ = 0;  ///< values of properties, the marker's too, that were asked for and have not come
+  /// an answer was lost or garbled: no answer counts until that of the marker has arrived
+  bool unsure_ = false;
+  int markersDue_ = 0;  ///< markers that were sent and not yet answered
+  int numbersDue_ = 0;  ///< requested values of properties, including those of markers, that have not arrived
   double markerSent_s_ = -1e9, unsureSince_s_ = 0;
 };
 
-/// Names of an axis's error bits, of firmware 0.5 or, `newer`, 0.6: "watchdog timer expired"; bits without a name as a number, with a
-/// warning where the firmware may have cut it.
+/// Names of an axis's error bits, for firmware 0.5 or, with `newer`, 0.6: "watchdog timer expired". A bit
+/// without a name is given as a number, with a warning if the firmware may have truncated it.
 Message odriveErrorWords(std::uint64_t error, bool newer);
 
 }  // namespace detent::playback

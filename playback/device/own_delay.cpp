@@ -37,7 +37,7 @@ class OwnTerminal {
   OwnTerminal(const OwnTerminal&) = delete;
   OwnTerminal& operator=(const OwnTerminal&) = delete;
 
-  /// Sends a line and waits until it has come through.
+  /// Sends a line and waits until it has arrived at the other end.
   bool passesLine() const {
     constexpr std::array<char, 8> line{'P', ',', '1', ',', '2', ',', '3', '\n'};
     constexpr int longest_ms = static_cast<int>(1000 * slowestRoundTrip_s);
@@ -52,7 +52,7 @@ class OwnTerminal {
 };
 
 constexpr double pause_s =
-    0.0005;  // as long as a device thinks, so that the computer turns to something else meanwhile
+    0.0005;  // about a device's response time, so that the computer does other work meanwhile
 
 }  // namespace
 

@@ -4,7 +4,8 @@
 
 namespace detent::playback {
 
-/// Nine of ten lines take no longer from one end of a pseudo terminal to the other; 0 where none can be had. Takes some milliseconds.
+/// Delay from one end of a pseudo terminal to the other: nine of ten lines take no longer. 0 if none can be
+/// opened. Takes some milliseconds.
 double ownTerminalDelay_s();
 
 }  // namespace detent::playback

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The paper's own route for comparison: what the finger meets becomes signal messages at once, and Pure Data
-// makes the sound (samples/puredata/detent.pd).
+// The paper's own route, for comparison: each event that the finger meets is sent as a signal message at
+// once, and Pure Data makes the sound (samples/puredata/detent.pd).
 
 #include <memory>
 
@@ -10,7 +10,7 @@
 
 namespace detent::playback {
 
-/// Sends a message per crossing. One thread.
+/// Sends one message per crossing. One thread.
 class PdRoute {
  public:
   explicit PdRoute(std::unique_ptr<SignalSender> sender) : sender_(std::move(sender)) {}

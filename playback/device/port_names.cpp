@@ -23,7 +23,7 @@ std::string firstLineOf(const fs::path& file) {
 /// Identity of the USB device of a port: maker, product, serial number, interface.
 using UsbIdentity = std::tuple<std::string, std::string, std::string, std::string>;
 
-/// Of the port with this name; its serial number is empty where there is none.
+/// Identity of the port with this name; the serial number is empty if there is none.
 UsbIdentity identityOf(const fs::path& ttys, const fs::path& name) {
   std::error_code error;
   std::string interface;
@@ -47,7 +47,7 @@ std::string holderOf(const std::string& port) {
     const std::string number = process->path().filename().string();
     if (number.find_first_not_of("0123456789") != std::string::npos || std::stol(number) == ::getpid())
       continue;
-    std::error_code hidden;  // of another user, or gone meanwhile
+    std::error_code hidden;  // owned by another user, or ended meanwhile
     for (fs::directory_iterator open(process->path() / "fd", hidden); !hidden && open != end;
          open.increment(hidden)) {
       std::error_code closed;

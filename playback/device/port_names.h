@@ -7,12 +7,12 @@
 
 namespace detent::playback {
 
-/// Program that has a port open, as "detent-play (process 4711)"; empty where that cannot be seen.
+/// Program that has a port open, as "detent-play (process 4711)"; empty if that is not visible.
 std::string holderOf(const std::string& port);
 
-/// Names under /dev/serial/by-id are made of serial numbers. For such a name the other connected port whose
-/// device has the same number, as /dev/ttyACM1; empty where there is none. `ttys`: where the system lists its
-/// ports.
+/// Names under /dev/serial/by-id contain serial numbers. For such a name, returns another connected port
+/// whose device has the same number, as /dev/ttyACM1; empty if there is none. `ttys`: the folder in which the
+/// system lists its ports.
 std::string sameSerialNumber(const std::filesystem::path& port,
                              const std::filesystem::path& ttys = "/sys/class/tty");
 

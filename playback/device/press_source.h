@@ -20,7 +20,7 @@ class VirtualFinger {
   ~VirtualFinger();
   void down();  ///< any thread
   void up();
-  /// Full press and release, for terminals that tell no key-up.
+  /// Full press and release, for terminals, which do not report the release of a key.
   void tap(double hold_s);
   bool isDown() const;
   double force_N() const;

@@ -13,7 +13,7 @@ namespace detent::playback {
 
 namespace {
 
-// Beyond, a UART reads wrong bits at the end of a byte.
+// With a larger deviation a UART samples the last bits of a byte wrongly.
 constexpr double mostOff = 0.025;
 
 }  // namespace
@@ -29,7 +29,7 @@ int makeRaw(int descriptor, unsigned baud) {
   mode.c_ispeed = mode.c_ospeed = baud;
   if (::ioctl(descriptor, TCSETS2, &mode) != 0 || ::ioctl(descriptor, TCGETS2, &mode) != 0) return EINVAL;
   if (std::abs(static_cast<double>(mode.c_ospeed) - baud) > mostOff * baud) return EINVAL;
-  ::ioctl(descriptor, TCFLSH, TCIOFLUSH);  // what waited in the port was read at another time
+  ::ioctl(descriptor, TCFLSH, TCIOFLUSH);  // waiting input is outdated
   return 0;
 }
 

@@ -94,8 +94,8 @@ void LineAssembler::finishLine(const std::function<void(const SensorLine&)>& onR
   SensorLine reading;
   switch (parseSensorLine(line, reading)) {
     case LineVerdict::reading:
-      // Half a number is a number too: the first line after a start proves itself only by a time stamp or
-      // checksum.
+      // The rest of a truncated number is a number too, so the first line after a start is accepted only with
+      // a time stamp or checksum.
       if (first && !reading.timed && line.find('*') == std::string_view::npos) return;
       ++counts_.readings;
       if (!reading.newtons) ++counts_.counts;
@@ -119,7 +119,7 @@ void LineAssembler::greet(std::string_view comment) {
 }
 
 bool ClockAligner::believable(double offset_s) {
-  constexpr double plausible_s = 0.02;  // a first reading that waited in a buffer
+  constexpr double plausible_s = 0.02;  // a first reading may have waited in a buffer
   constexpr unsigned enough = 4;
   if (offset_s > offset_s_ - plausible_s) {
     suspectsInRow_ = 0;
@@ -144,7 +144,8 @@ double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
     last_us_ = device_us;
     return last_s_ = arrival_s;
   }
-  const std::uint32_t forward_us = device_us - last_us_;  // modulo 2^32: a wrap is a small step forward
+  // modulo 2^32, so that a wrap is a small step forwards
+  const std::uint32_t forward_us = device_us - last_us_;
   const auto step_us = static_cast<std::int32_t>(forward_us);
   last_us_ = device_us;
   const double step_s = 1e-6 * static_cast<double>(step_us);
@@ -164,7 +165,7 @@ double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
     offset_s_ += std::fmin(offset_s - offset_s_, drift * step_s);
   }
   double host_s = std::fmin(device_s_ + offset_s_, arrival_s);
-  // A smaller delay moves the line back; readings the sensor took one after the other stay in order.
+  // A smaller delay moves the offset back; successive readings of the sensor must stay in order.
   if (step_s > 0 && host_s <= last_s_) host_s = last_s_ + apart_s;
   return last_s_ = host_s;
 }

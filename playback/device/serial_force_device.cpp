@@ -17,21 +17,21 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double serialAnswer_s = 0.5;  // to a question that is not part of the loop
+constexpr double serialAnswer_s = 0.5;  // longest wait for an answer outside of the loop
 constexpr double bootPause_s = 2.0;     // an Arduino resets when its port is opened
 constexpr double micro = 1e-6, nmPerMm = 1e6;
 
-constexpr int protocol = 2;  // with limits of the device's own
+constexpr int protocol = 2;  // with limits in the device itself
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
 constexpr double tableSilence =
-    0.8;  // of what the device waits: our answers and its clock are not quite one time
-// Without answers a table goes on for so long, or so many round trips of a slow link.
+    0.8;  // share of the device's own timeout, because our times and its clock differ a little
+// Without answers a table continues for this many questions, or round trips of a slow link.
 constexpr std::uint32_t unansweredQuestions = 3;
 constexpr double unheard_s = 0.010, unheardTrips = 3, longestUnheardEver_s = 0.05;
-constexpr std::int32_t questionsForALine = 8;        // then it is sent again, answered or not
+constexpr std::int32_t questionsForALine = 8;        // after these the line is sent again, answered or not
 constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
 
-/// Fields between commas; more than there is room for are no line of the protocol.
+/// Fields between commas. A line with more fields than fit is not of this protocol.
 struct Fields {
   std::array<std::string_view, 8> all{};
   std::size_t count = 0;
@@ -153,7 +153,7 @@ bool SerialForceDevice::hello(Message& problem) {
   }
 }
 
-// Set and read back. A device may be quicker to fall silent than it was asked to be.
+// Sets the limits and reads them back. The device may choose a shorter timeout than requested.
 bool SerialForceDevice::limited() {
   send(limitLine_);
   for (const double deadline_s = now_s() + serialAnswer_s; !limitHeld_;) {
@@ -234,8 +234,8 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
     if (!acknowledged(line)) return refused;
   }
   ownLaw_ = true;
-  toldLines_ = table_.size();
-  // Its clock: from here on it tells a pause that ended the table.
+  acknowledgedLines_ = table_.size();
+  // From now on the device's clock reveals a pause that ended the table.
   heardTime_us_ = -1;
   ++sequence_;
   sendOrders(ForceCommand{});
@@ -262,34 +262,34 @@ void SerialForceDevice::rearm() {
 }
 
 void SerialForceDevice::beginTable() {
-  toldLines_ = 0;
+  acknowledgedLines_ = 0;
   lineSince_ = sequence_ + 1;
   lineSent_ = sequence_;
 }
 
-// A line is sent once, and again where the question it came with was answered without taking it: sent with
-// each question it would come to more than a serial port of 230,400 baud carries, whose queue then grows
-// until nothing gets through.
+// A line is sent once, and again if the question sent with it was answered without an acknowledgement.
+// Sending it with each question would exceed the capacity of a serial port of 230,400 baud, whose queue would
+// then grow until nothing arrives.
 bool SerialForceDevice::lineIsDue() const {
   const auto sent = static_cast<std::int32_t>(lineSent_ - lineSince_);
   return sent < 0 || static_cast<std::int32_t>(heard_ - lineSent_) >= 0 ||
          static_cast<std::int32_t>(sequence_ - lineSent_) >= questionsForALine;
 }
 
-// No force before the first line of another table: a firmware might go on with what it gave. All lines may be
-// heard twice.
+// Sends "no force" before the first line of another table, because a firmware might otherwise keep its last
+// force. The device accepts repeated lines.
 void SerialForceDevice::sendTableLine() {
-  if (toldLines_ == 0) send("X");
-  send(table_[toldLines_]);
+  if (acknowledgedLines_ == 0) send("X");
+  send(table_[acknowledgedLines_]);
   lineSent_ = sequence_;
 }
 
-// Answers come in the order of what they answer: an acknowledgement belongs to the question whose answer
+// Answers arrive in the order of the questions, so an acknowledgement belongs to the question whose answer
 // follows it.
 void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
   const bool ofThisLine = static_cast<std::int32_t>(sequence - lineSince_) >= 0;
-  if (std::exchange(lineTaken_, false) && ofThisLine && toldLines_ < table_.size()) {
-    ++toldLines_;
+  if (std::exchange(lineTaken_, false) && ofThisLine && acknowledgedLines_ < table_.size()) {
+    ++acknowledgedLines_;
     lineSince_ = sequence_ + 1;
     lineSent_ = sequence_;
   }
@@ -300,8 +300,8 @@ void SerialForceDevice::noteAnswer(std::uint32_t sequence, long long time_us) {
     beginTable();
   }
   const long long before_us = std::exchange(heardTime_us_, time_us);
-  if (before_us < 0 || !ownLaw_ || toldLines_ < table_.size()) return;
-  // A table ends where the device hears nothing for longer than it waits. Its clock may wrap.
+  if (before_us < 0 || !ownLaw_ || acknowledgedLines_ < table_.size()) return;
+  // The device ends its table if it receives nothing for longer than its timeout. Its clock may wrap.
   if (micro * static_cast<std::uint32_t>(time_us - before_us) > silence_s_) beginTable();
 }
 
@@ -309,11 +309,11 @@ double SerialForceDevice::longestUnheard_s() const {
   return std::min(std::max(unheard_s, unheardTrips * roundTrip_s_), longestUnheardEver_s);
 }
 
-// The device cannot be watched: an F of no force ends its table at once, while an H would keep it alive for
-// ever.
+// The device cannot be monitored any more. An F with zero force ends its table at once; an H would keep the
+// table running.
 void SerialForceDevice::withdrawLaw() {
   const bool unheard = sequence_ - heard_ > unansweredQuestions && now_s() - heardAt_s_ > longestUnheard_s();
-  if (!unheard || !ownLaw_ || withdrawn_ || toldLines_ < table_.size()) return;
+  if (!unheard || !ownLaw_ || withdrawn_ || acknowledgedLines_ < table_.size()) return;
   withdrawn_ = true;
   withdrawnSince_ = sequence_;
   ++counts_.withdrawn;
@@ -324,7 +324,7 @@ void SerialForceDevice::loseLaw() {
   zeroLost_ = true;
 }
 
-// A device that was away has no table, no limit and no zero.
+// A device that was disconnected has no table, no limits and no zero.
 bool SerialForceDevice::isBack() {
   if (!link_.reopen()) return false;
   ++counts_.reconnects;
@@ -334,8 +334,8 @@ bool SerialForceDevice::isBack() {
   return true;
 }
 
-// What the device does by itself follows what the engine allows: an order that got lost is said again with
-// the next state.
+// Makes the device's own law follow the engine's state. Orders that were lost are repeated with the next
+// state.
 void SerialForceDevice::sendOrders(const ForceCommand& command) {
   if (!limitHeld_) send(limitLine_);
   if (command.halted) {
@@ -349,10 +349,10 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
   std::array<char, 64> body{};
   int length = 0;
   if (ownLaw_ && !withdrawn_) {
-    if (toldLines_ < table_.size() && lineIsDue()) sendTableLine();
+    if (acknowledgedLines_ < table_.size() && lineIsDue()) sendTableLine();
     length = std::snprintf(body.data(), body.size(), "H,%u", sequence_);
   } else {
-    // The law of an uploaded table is the device's: until a person arms there is none.
+    // With an uploaded table the device computes the force, so the host sends none.
     const double force_N = command.halted || !limitHeld_ || !table_.empty() ? 0 : command.force_N;
     length = std::snprintf(body.data(), body.size(), "F,%u,%lld", sequence_, whole(force_N / micro));
   }
@@ -362,7 +362,7 @@ void SerialForceDevice::sendOrders(const ForceCommand& command) {
 SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceReading& reading) {
   const std::optional<std::string_view> text = forceLineBody(line);
   if (!text) {
-    lineTaken_ = false;  // it may be the answer that an acknowledgement belonged to
+    lineTaken_ = false;  // the acknowledgement may have belonged to this answer
     return Answer::none;
   }
   const bool refused = text->starts_with("N,");
@@ -387,8 +387,8 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
       !read(f[3], position_nm) || !read(f[4], state)) {
     return Answer::none;
   }
-  // Wrong numbers or a clock that stands still tell nothing of the handle: the device counts as silent, so that
-  // the force of its table is withdrawn.
+  // Invalid numbers, or a clock that stands still, say nothing about the handle: the device counts as silent,
+  // so that its table's force is withdrawn.
   const bool isNew = static_cast<std::int32_t>(sequence_ - sequence) >= 0 &&
                      static_cast<std::int32_t>(sequence - heard_) > 0 && time_us != heardTime_us_;
   if (!isNew) {
@@ -396,9 +396,9 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
     return Answer::old;
   }
   noteAnswer(sequence, time_us);
-  // An answer of an earlier period counts only where nothing waits for it.
+  // An answer to an earlier question is used only while the device runs a table.
   if (sequence != sequence_ && table_.empty()) return Answer::old;
-  if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile
+  if (state == unlimitedState && limitHeld_) {  // the device was reset meanwhile
     limitHeld_ = false;
     loseLaw();
   }
@@ -478,8 +478,8 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
 }
 
 SerialForceDevice::~SerialForceDevice() {
-  send("X");                 // and where the link is gone, the firmware's own watchdog takes the force away
-  if (stopSent_) send("U");  // only now: it has no table that could run
+  send("X");                 // if the link is gone, the firmware's own watchdog removes the force
+  if (stopSent_) send("U");  // only now, when there is no table that could run
 }
 
 }  // namespace detent::playback

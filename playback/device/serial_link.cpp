@@ -45,7 +45,7 @@ bool SerialLink::openPort() {
     errno = ENOTTY;
     return false;
   }
-  // Two programs on one port would each hear half of the answers, and send forces against each other.
+  // Two programs on one port would each receive half of the answers, and send conflicting forces.
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     ::close(std::exchange(descriptor_, -1));
     errno = EBUSY;
@@ -107,7 +107,8 @@ SerialLink& SerialLink::operator=(SerialLink&& other) noexcept {
 
 void SerialLink::close() {
   if (isOpen()) {
-    ::ioctl(descriptor_, TIOCNXCL);  // or it would outlast us where somebody else still has the port open
+    // otherwise the lock would remain while another process has the port open
+    ::ioctl(descriptor_, TIOCNXCL);
     ::close(descriptor_);
   }
   descriptor_ = -1;
@@ -157,7 +158,7 @@ std::optional<std::string_view> SerialLink::line(double deadline_s) {
       while (!line_.empty() && (line_.back() == '\r' || line_.back() == ' ')) line_.pop_back();
       return line_;
     }
-    // What has no end is no line: a device that babbles fills no memory.
+    // A line without an end is discarded, so that a faulty device cannot fill the memory.
     if (received_.size() > longestLine) received_.clear();
     if (!fill(deadline_s)) return {};
   }

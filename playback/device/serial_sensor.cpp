@@ -16,7 +16,7 @@ namespace {
 constexpr int readerPriority = 60;  // below the audio callback (JACK: 65)
 constexpr double rateWindow_s = 1.0;
 constexpr double healthCheck_s = 0.05;
-constexpr std::string_view whoIsThere = "?\n";  // a sensor that knows no question keeps silent
+constexpr std::string_view whoIsThere = "?\n";  // a sensor without this command ignores it
 }  // namespace
 
 class SerialSensor::Reader {
@@ -79,7 +79,8 @@ class SerialSensor::Reader {
     reading.raw = line.value;
     reading.force_N = line.newtons ? line.value : settings_.calibration.force_N(line.value);
     reading.time_s = line.timed ? aligner_.hostTime_s(line.time_us, arrival_s) : arrival_s;
-    // Several unstamped lines in one read came at different times; keep them ordered, a little apart.
+    // Several lines without time stamps in one read were sent at different times; they are kept in order with
+    // small distances.
     if (!line.timed && reading.time_s <= lastTime_s_) reading.time_s = lastTime_s_ + 1e-6;
     const ConditionerVerdict verdict = conditioner_.judge(reading.time_s, reading.force_N);
     if (verdict == ConditionerVerdict::reject) return;
@@ -135,7 +136,7 @@ class SerialSensor::Reader {
   SensorHealth health_;
   std::optional<ConditionerSettings> nextConditioner_;
   std::atomic<bool> stopping_{false};
-  std::thread thread_;  ///< last: it uses the others until it is done
+  std::thread thread_;  ///< declared last, because it uses the other members until it is done
 };
 
 SerialSensor::SerialSensor(std::unique_ptr<Reader> reader) : reader_(std::move(reader)) {}

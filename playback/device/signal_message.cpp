@@ -32,7 +32,7 @@ bool build(SignalKind kind, const double* arguments, std::size_t count, SignalMe
   message = SignalMessage{};
   message.kind = kind;
   if (kind == SignalKind::stop) return true;
-  // Keys of controllers always send one number: 0 when they are let go.
+  // Keys of controllers always send one number: 0 when they are released.
   if (count == 1 && (kind == SignalKind::grain || kind == SignalKind::hold)) {
     if (arguments[0] == 0) message.kind = SignalKind::none;
     count = 0;

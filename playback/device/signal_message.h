@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The signal messages of the paper's own route ("sends signal messages to a sound synthesizer by UDP
-// packets", Apparatus): FUDI text as Pure Data speaks it, `;`-terminated. docs/reference/osc.md lists them with their
-// OSC twins. Pure text handling.
+// packets", Apparatus): FUDI text as Pure Data speaks it, `;`-terminated. docs/reference/osc.md lists them
+// with their OSC twins. Pure text handling.
 
 #include <cstdint>
 #include <functional>
@@ -20,15 +20,15 @@ enum class SignalKind : std::uint8_t {
   force,
   displacement,
   gain,
-  stop,  ///< emergency: of a force device no force, of a player silence. Whatever arguments it carries
-  hold,  ///< somebody holds: for hold-to-run
-  none  ///< a controller's key that was let go (`grain` or `hold` with 0): asks for nothing, reaches no receiver
+  stop,  ///< emergency: removes the force of a force device, silences a player; with or without arguments
+  hold,  ///< somebody holds, for hold-to-run
+  none   ///< release of a controller's key (`grain` or `hold` with 0): has no effect and is not passed on
 };
 
 /// One message. Bursts carry frequency, duration and amplitude; the rest one value.
 struct SignalMessage {
   SignalKind kind = SignalKind::force;
-  Burst burst;        ///< jump, bottomOut; grain when it carries numbers
+  Burst burst;        ///< for jump and bottomOut; for grain if it has numbers
   double value = 0;   ///< N, mm, or gain
   bool bare = false;  ///< "grain;" without numbers: the program's own grain
 };
@@ -37,11 +37,12 @@ struct SignalCounts {
   std::uint64_t packets = 0, messages = 0, malformed = 0;
 };
 
-/// Limits of what a message may ask for: frequency (0, 2000] Hz, duration (0, 1] s, amplitude [0, 1], gain
-/// [0, 1] of the player's own, values finite. Anything else is malformed. Shared by FUDI and OSC.
+/// Returns true if the values are within the limits for messages: frequency (0, 2000] Hz, duration (0, 1] s,
+/// amplitude [0, 1], gain [0, 1] of the player's own; all finite. Any other message is malformed. Shared by
+/// FUDI and OSC.
 bool acceptable(const SignalMessage& message);
 
-/// Splits a packet into messages. Any bytes are survived; what is not a message is counted.
+/// Splits a packet into messages. Accepts any bytes; invalid messages are counted.
 void parseFudi(std::string_view packet, SignalCounts& counts,
                const std::function<void(const SignalMessage&)>& onMessage);
 

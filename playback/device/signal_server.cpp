@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one UDP socket of the device room, and what speaks through it: FUDI and OSC in, FUDI out.
+// The UDP socket of this folder, and its protocols: FUDI and OSC for receiving, FUDI for sending.
 #include "playback/device/signal_server.h"
 
 #include <array>
@@ -30,7 +30,7 @@ namespace {
 constexpr int receiverPriority = 60;  // below the audio callback (JACK: 65)
 constexpr int stopCheck_ms = 50;
 constexpr std::size_t mostArguments = 3, largestPacket = 65536, deepestBundle = 8;
-constexpr std::array<char, 8> bundleName{"#bundle"};  // with its zero
+constexpr std::array<char, 8> bundleName{"#bundle"};  // including its terminating zero
 constexpr std::size_t bundleHead = 16;                // name and time stamp
 
 std::string systemWords(int error) { return std::system_category().message(error); }
@@ -45,7 +45,7 @@ class UdpSocket {
   UdpSocket& operator=(const UdpSocket&) = delete;
   int descriptor() const { return descriptor_; }
 
-  /// Why not; 0 if it is bound. `port` becomes the one it has.
+  /// Binds the socket; returns 0 or the error. `port` receives the actual port.
   int bind(const std::string& address, std::uint16_t& port) const {
     sockaddr_in where{};
     where.sin_family = AF_INET;
@@ -67,7 +67,8 @@ class UdpSocket {
 
 using Counted = std::function<void(const SignalMessage&)>;
 
-/// One OSC message or bundle. A bundle's time stamp is of another clock: what it holds counts from arrival.
+/// Parses one OSC message or bundle. A bundle's time stamp is of another clock, so its messages count from
+/// their arrival.
 void parseOsc(std::string_view packet, SignalCounts& counts, const Counted& onMessage,
               std::size_t depth = 0) {
   if (packet.starts_with(std::string_view(bundleName.data(), bundleName.size())) &&
@@ -85,11 +86,11 @@ void parseOsc(std::string_view packet, SignalCounts& counts, const Counted& onMe
     counts.malformed += packet.empty() ? 0 : 1;
     return;
   }
-  std::vector<char> copy(packet.begin(), packet.end());  // liblo turns the bytes round in place
+  std::vector<char> copy(packet.begin(), packet.end());  // liblo changes the byte order in place
   int error = 0;
   lo_message parsed = copy.empty() ? nullptr : lo_message_deserialise(copy.data(), copy.size(), &error);
   std::array<double, mostArguments> values{};
-  // A stop is a stop, whatever was sent along with it.
+  // A stop counts whatever arguments it has.
   const bool stop = parsed != nullptr && std::string_view(copy.data()) == "/detent/stop";
   const int count = stop ? 0 : parsed == nullptr ? -1 : lo_message_get_argc(parsed);
   bool ok = count >= 0 && count <= static_cast<int>(mostArguments);
@@ -127,10 +128,10 @@ class UdpServer : public SignalServer {
     return 0;
   }
 
-  /// On the receiving thread, or alone.
+  /// Called on the receiving thread, or while it does not run.
   void handle(std::string_view packet) {
     const double arrival_s = now_s();
-    SignalCounts counts = counts_;  // only this thread writes
+    SignalCounts counts = counts_;  // only this thread writes it
     parse_(packet, counts, [&](const SignalMessage& m) { receiver_(m, arrival_s); });
     const std::lock_guard lock(mutex_);
     counts_ = counts;

@@ -31,7 +31,7 @@ Result<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, const s
 Result<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, const std::string& address,
                                                     SignalReceiver receiver);
 
-/// Handles one packet as if it had arrived, on the calling thread; nothing may arrive meanwhile. For fuzzing.
+/// Handles one packet as if it had arrived, on the calling thread. Nothing may arrive meanwhile. For fuzzing.
 void handlePacket(SignalServer& server, std::string_view packet);
 
 /// The other direction, the paper's own route: sends messages as UDP packets to a synthesizer such as

@@ -52,7 +52,7 @@ class SignalWatch::Listener {
   }
   ~Listener() {
     ended_ = true;
-    // Blocked there: `sigwait` takes it.
+    // The signal is blocked in that thread, where `sigwait` takes it.
     ::pthread_kill(thread_.native_handle(), SIGTERM);  // NOLINT(bugprone-bad-signal-to-kill-thread)
     thread_.join();
     ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
@@ -74,7 +74,7 @@ class SignalWatch::Listener {
       if (left_s <= 0) endByForce(number);
       timespec wait{};
       wait.tv_nsec = static_cast<long>(1e9 * left_s);
-      ::sigtimedwait(&set_, nullptr, &wait);  // another signal, or the destructor's
+      ::sigtimedwait(&set_, nullptr, &wait);  // another signal, or that of the destructor
     }
   }
 

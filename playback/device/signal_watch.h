@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ctrl-C and its like, heard on a thread of its own: at any moment, once or twice, the program is told, and if
-// it has not ended soon after (a library that waits, a terminal that is read), it is ended.
+// Handles Ctrl-C and other ending signals on a separate thread, at any moment, even repeatedly: the program
+// is notified, and if it has not ended soon after (a library waits, a terminal is being read), it is ended.
 
 #include <functional>
 #include <memory>
 
 namespace detent::playback {
 
-/// One per program, made on the main thread before any other thread (they inherit that SIGINT, SIGTERM and
-/// SIGHUP are not theirs). A second signal changes nothing: the program ends already.
+/// One per program, made on the main thread before any other thread, so that all threads inherit that SIGINT,
+/// SIGTERM and SIGHUP are blocked. A second signal changes nothing, because the program is ending already.
 class SignalWatch {
  public:
-  /// `grace_s`: from the first signal to the end by force, with the terminal as it was and exit code 128 + the
-  /// signal's number. `lastDeed` is done just before (files that are being written have to go); called on the listening thread.
+  /// `grace_s`: time from the first signal to the forced end, with the terminal restored and exit code 128 +
+  /// the signal's number. `lastDeed` runs just before (it removes files that are being written), on the
+  /// listening thread.
   SignalWatch(double grace_s, void (*lastDeed)());
   ~SignalWatch();
   SignalWatch(const SignalWatch&) = delete;
@@ -27,8 +28,9 @@ class SignalWatch {
   std::unique_ptr<Listener> listener_;
 };
 
-/// What SIGUSR1 does while a SignalWatch lives, and a signal that ends the program does first; called on the listening thread. Without one
-/// SIGUSR1 ends the program like the others. An empty one takes it away.
+/// Sets the function that SIGUSR1 calls while a SignalWatch exists, and that a signal which ends the program
+/// calls first; on the listening thread. Without one, SIGUSR1 ends the program like the others. An empty
+/// function removes it.
 void setEmergencyDeed(std::function<void()> deed);
 
 }  // namespace detent::playback

@@ -32,8 +32,8 @@ ForceReading SimulatedForceDevice::exchange(const ForceCommand& command) {
   waiting_N_[newest_] = std::clamp(command.force_N, -settings_.force_N, settings_.force_N);
   for (std::size_t i = 0; i < substeps_; ++i) {
     const std::size_t periodsAgo = (delaySubsteps_ + substeps_ - 1 - i) / substeps_;
-    const double asked_N = waiting_N_[(newest_ + waiting_N_.size() - periodsAgo) % waiting_N_.size()];
-    lagged_N_ = asked_N + lagKept_ * (lagged_N_ - asked_N);
+    const double requested_N = waiting_N_[(newest_ + waiting_N_.size() - periodsAgo) % waiting_N_.size()];
+    lagged_N_ = requested_N + lagKept_ * (lagged_N_ - requested_N);
     advance(lagged_N_);
   }
   ForceReading reading;
@@ -41,8 +41,8 @@ ForceReading SimulatedForceDevice::exchange(const ForceCommand& command) {
   return reading;
 }
 
-// Coulomb friction as an implicit step: it takes away as much speed as it can, and no more than there is. So a device at rest
-// rests, and nothing chatters.
+// Coulomb friction as an implicit step: it removes at most the present speed, so a device at rest stays at
+// rest without chatter.
 void SimulatedForceDevice::advance(double motor_N) {
   const double finger_N = finger_.push_N(position_mm_, velocity_mm_per_s_, dt_s_);
   const double perNewton = simulatedMmPerM * dt_s_ / settings_.mass_kg;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A force device that is computed: mass, Coulomb and viscous friction, encoder steps, held and delayed force, saturation, with a
-// simulated finger on it. One exchange is one period of its own time, whatever the clock says; deterministic.
+// A simulated force device: mass, Coulomb and viscous friction, encoder steps, held and delayed force,
+// saturation, and a simulated finger. One exchange is one period of its own time, independent of the clock;
+// deterministic.
 
 #include <cstddef>
 #include <vector>
@@ -17,7 +18,7 @@ struct SimulatedDeviceSettings {
   double damping_Ns_per_mm = 0.001;
   double step_mm = 0.001;
   double period_s = 0.001;
-  double delay_s = 0.001;  ///< from a reading to its force
+  double delay_s = 0.001;  ///< from a reading to the force computed from it
   double lag_s = 0;        ///< time constant of the motor
   double force_N = 10;     ///< the motor saturates here
   double start_mm = 0;
@@ -30,8 +31,8 @@ class SimulatedForceDevice : public ForceDevice {
 
   ForceReading exchange(const ForceCommand& command) override;
 
-  /// Where it truly is, between the encoder's steps.
-  /// Work the finger has done on the device so far (mJ): what a person would feel of the energy.
+  /// The true position, between the encoder's steps. Work that the finger has done on the device so far (mJ):
+  /// the energy that a person would feel.
   double fingerWork_mJ() const { return fingerWork_mJ_; }
 
  private:
@@ -42,7 +43,8 @@ class SimulatedForceDevice : public ForceDevice {
   SimulatedFinger finger_;
   std::size_t substeps_ = 1, delaySubsteps_ = 0;
   double dt_s_ = 0;
-  double lagged_N_ = 0, lagKept_ = 0;  ///< force of a motor that lags, and what a substep leaves of its error
+  /// force of a motor with lag, and the factor by which its error decreases per substep
+  double lagged_N_ = 0, lagKept_ = 0;
   double position_mm_ = 0, velocity_mm_per_s_ = 0, fingerWork_mJ_ = 0;
   std::vector<double> waiting_N_;  ///< forces on their way to the motor, a ring of periods
   std::size_t newest_ = 0;

@@ -12,16 +12,17 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double above_mm = -0.5;  // where a finger waits before it touches
-// A hold: how fast it is made good what it is off by, and when that is done.
+constexpr double above_mm = -0.5;  // position where a finger waits before the touch
+// Of a hold: rate at which its error is corrected, and when that ends.
 constexpr double correctionRate_per_s = 25, shortestCorrection_s = 0.2, longestCorrection_s = 0.8;
 constexpr double arrivedWithin_mm = 0.005, arrivedBelow_mm_per_s = 0.5;
-// Of the muscles while they aim, times what they are at rest: both of a pair pull. Damping grows with the root.
+// Of the muscles while they aim, relative to rest, because both muscles of a pair pull. Damping grows with
+// the square root.
 constexpr double aimingStiffness = 10, aimingDamping = 3;
-constexpr double longestHold_s = 0.5;  // a press that never feels the bottom turns back anyway
+constexpr double longestHold_s = 0.5;  // a press that does not feel the bottom turns back after this time
 constexpr double tremorFrequencies_Hz[] = {8.7, 11.3};  // physiological tremor, 8 to 12 Hz
 
-/// Value of a polyline at a time; `next` moves on with it.
+/// Value of a polyline at a time; `next` advances with it.
 double along(const std::vector<double>& times, const std::vector<double>& values, double time_s,
              std::size_t& next) {
   while (next < times.size() && times[next] <= time_s) ++next;
@@ -51,7 +52,8 @@ double SimulatedFinger::intended(const FingerHold& plan, double device_mm, doubl
   return above_mm + (aim_mm - above_mm) * minimumJerk(time_s_ / plan.approach_s) + correction_mm_;
 }
 
-// The muscle goes on with the same force. A finger that went on correcting would hunt with the device's friction.
+// The muscle keeps its force, because a finger that went on correcting would oscillate with the device's
+// friction.
 void SimulatedFinger::relaxAt(const FingerHold& plan, double device_mm, double device_mm_per_s,
                               double muscle_N) {
   const double aiming_s = time_s_ - plan.approach_s;
@@ -60,7 +62,7 @@ void SimulatedFinger::relaxAt(const FingerHold& plan, double device_mm, double d
   if (!(aiming_s >= shortestCorrection_s && stands) && !(aiming_s >= longestCorrection_s)) return;
   arrived_ = true;
   relaxed_mm_ = tip_mm_ + muscle_N / mechanics_.stiffness_N_per_mm - tremor_mm();
-  wantedBefore_mm_ = relaxed_mm_ + tremor_mm();  // another aim of the same force is no movement
+  wantedBefore_mm_ = relaxed_mm_ + tremor_mm();  // a different aim with the same force is not a movement
 }
 
 double SimulatedFinger::intended(const FingerPresses& plan, double device_mm, double) {

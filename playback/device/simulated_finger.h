@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A finger for devices without hardware: a mass that follows an intended movement through its own stiffness and damping,
-// trembles, and pushes but never pulls. Deterministic.
+// A finger for devices without hardware: a mass that follows an intended movement through its own stiffness
+// and damping, has tremor, and pushes but never pulls. Deterministic.
 
 #include <cstdint>
 #include <variant>
@@ -9,7 +9,8 @@
 
 namespace detent::playback {
 
-/// Mechanics of a finger tip that presses. Sources and how little is known: docs/develop/decisions/1102-simulated-finger.md.
+/// Mechanics of a pressing fingertip. Sources and uncertainties:
+/// docs/develop/decisions/1102-simulated-finger.md.
 struct FingerMechanics {
   double mass_kg = 0.008;
   double stiffness_N_per_mm = 0.3;
@@ -20,24 +21,25 @@ struct FingerMechanics {
   double tremor_mm = 0.006;  ///< peak
 };
 
-/// Goes to a place, stiffened as people do who aim, and makes good what it is off by. Once the handle stands there (or 0.8 s later, as
-/// inside a steep snap) it relaxes, carries what it carries, and corrects nothing any more.
+/// Moves to a position, stiffened as people are when they aim, and corrects its error. Once the handle is
+/// there (or after 0.8 s, as inside a steep snap) it relaxes, carries the present force, and corrects nothing
+/// any more.
 struct FingerHold {
   double at_mm = 0;
-  double force_N = 0;       ///< the button's force there: what the finger has to carry
+  double force_N = 0;       ///< the button's force at that position, which the finger has to carry
   double approach_s = 0.4;  ///< > 0
 };
-/// Presses again and again: down until the bottom is felt, back after the reaction time, pause.
+/// Presses repeatedly: down until the bottom is felt, back after the reaction time, then a pause.
 struct FingerPresses {
   double travel_mm = 4;  ///< where the bottom is
-  double force_N = 1;    ///< strongest force of the button: the finger aims beyond the travel to pass it
+  double force_N = 1;    ///< strongest force of the button; the finger aims beyond the travel to overcome it
   double press_s = 0.12, release_s = 0.1, pause_s = 0.25;
 };
-/// Intended positions over time, straight between points, the last one held.
+/// Intended positions over time, linear between points; the last one is held.
 struct FingerPath {
   std::vector<double> time_s, position_mm;  ///< same length >= 1, times increasing
 };
-/// Forces over time, with no stiffness of its own; the last one held.
+/// Forces over time, without stiffness of its own; the last one is held.
 struct FingerForcePath {
   std::vector<double> time_s, force_N;
 };
@@ -47,8 +49,8 @@ class SimulatedFinger {
  public:
   SimulatedFinger(const FingerMechanics& mechanics, FingerPlan plan);
 
-  /// Force of the finger on a device (N, >= 0, along pressing), then one time step of its own. Semi-implicit; `dt_s` at most
-  /// 50 µs for the stiffness above.
+  /// Force of the finger on a device (N, >= 0, in the direction of pressing); then advances its own state by
+  /// one time step. Semi-implicit; `dt_s` at most 50 µs for the stiffness above.
   double push_N(double device_mm, double device_mm_per_s, double dt_s);
 
  private:
@@ -66,9 +68,9 @@ class SimulatedFinger {
   FingerPlan plan_;
   double time_s_ = 0, tip_mm_, tip_mm_per_s_ = 0, wantedBefore_mm_ = 0;
   bool started_ = false;
-  std::size_t next_ = 0;  ///< of a path
+  std::size_t next_ = 0;  ///< next point of a path
   double correction_mm_ = 0,
-         relaxed_mm_ = 0;  ///< of a hold: added to its aim before, its aim after it has arrived
+         relaxed_mm_ = 0;  ///< of a hold: offset added to the aim before, and the aim after arrival
   bool arrived_ = false;
   double phaseStart_s_ = 0, turned_mm_ = 0, felt_s_ = -1;
   enum class Phase : std::uint8_t { pause, down, back } phase_ = Phase::pause;

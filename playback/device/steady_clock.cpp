@@ -16,8 +16,9 @@ double now_s() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// Sleeping on the raw clock is not offered: the same moment on CLOCK_MONOTONIC, given as a time and not as a length, so that a
-// thread that is put aside on the way to sleep is not late for it. Put aside between the two clocks, it wakes early and sleeps again.
+// The system cannot sleep on the raw clock, so the time is converted to CLOCK_MONOTONIC. It is given as an
+// absolute time, so that a thread that is interrupted before it sleeps does not wake late. If it is
+// interrupted between reading the two clocks, it wakes early and sleeps again.
 void sleepUntil(double time_s) {
   for (;;) {
     timespec t{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The one clock of the device room: CLOCK_MONOTONIC_RAW, the clock JACK stamps with (CLOCK_MONOTONIC is
-// slewed and may lie apart from it by a large constant).
+// The clock of all devices: CLOCK_MONOTONIC_RAW, which JACK uses for its time stamps. CLOCK_MONOTONIC is
+// adjusted in speed and may differ from it by a large constant.
 
 namespace detent::playback {
 
@@ -11,11 +11,12 @@ double now_s();
 /// Sleeps until that time has come.
 void sleepUntil(double time_s);
 
-/// Asks the system to wake the calling thread when its time has come, not within the 50 µs after it that save power: for threads
-/// whose work is due to 100 µs. Real-time threads are woken so anyway.
+/// Requests that the system wakes the calling thread exactly on time instead of up to 50 µs later, which
+/// saves power. For threads whose work is due to within 100 µs. Real-time threads are always woken on time.
 void requestPunctualWakeUp();
 
-/// Real-time scheduling of the calling thread while it lives, where the machine grants it; then what it was before.
+/// Real-time scheduling of the calling thread during the object's lifetime, if the machine grants it; the
+/// previous scheduling is restored after.
 class RealtimeWhile {
  public:
   explicit RealtimeWhile(int priority);
@@ -28,8 +29,8 @@ class RealtimeWhile {
   bool granted_ = false;
 };
 
-/// Asks for real-time scheduling of the calling thread (FIFO). False where the machine refuses; the caller
-/// goes on.
+/// Requests real-time scheduling (FIFO) for the calling thread. Returns false if the machine refuses; the
+/// caller may continue.
 bool requestRealtime(int priority);
 
 }  // namespace detent::playback

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Fills the buffer of a sound callback, for every sound library: renders the session, adds rain and the sound
-// of the press for the ears, copies to all channels and counts.
+// of presses, copies to all channels and counts.
 
 #include <algorithm>
 #include <array>
@@ -13,22 +13,22 @@
 
 namespace detent::playback {
 
-/// The callback's own hooks, for tests that count what happens inside it. Null: none.
+/// Hooks of the callback, for tests that count events inside it. Null: none.
 struct CallbackHooks {
   void (*enter)() = nullptr;
   void (*leave)() = nullptr;
 };
 
-/// Which of a stream's channels carry what, in this order.
+/// Contents of a stream's channels, in this order.
 struct OutputChannels {
-  int signal = 2;  ///< the same vibration on each
-  int rain = 0;    ///< the same for the ears on each: masking noise (rain_noise.h), sound of presses
+  int signal = 2;  ///< channels with the vibration, the same on each
+  int rain = 0;  ///< channels for the ears, the same on each: masking noise (rain_noise.h), sound of presses
 
   int all() const { return signal + rain; }
   bool isSignal(int channel) const { return channel < signal; }
 };
 
-/// Audio thread only, but for `lastEntry_s`, `noteXrun`, and what says otherwise.
+/// Audio thread only, except for `lastEntry_s`, `noteXrun`, and functions that state otherwise.
 class StreamRenderer {
  public:
   StreamRenderer(LiveSession& session, CallbackHooks hooks, double rainLevel)
@@ -54,12 +54,12 @@ class StreamRenderer {
     if (hooks_.leave != nullptr) hooks_.leave();
   }
 
-  /// The next stream's rate; while no callback runs.
+  /// Sets the rate of the next stream. Only while no callback runs.
   void setSampleRate(double sampleRate_Hz) {
     if (sampleRate_Hz != session_.sampleRate_Hz()) session_.setSampleRate(sampleRate_Hz);
     rain_.setSampleRate(sampleRate_Hz);
   }
-  /// Keeps the session's queues empty while no stream is there.
+  /// Empties the session's queues while there is no stream.
   void takeWhileAway() { session_.takeWhileAway(); }
 
   double lastEntry_s() const { return lastEntry_s_.load(std::memory_order_relaxed); }

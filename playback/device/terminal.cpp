@@ -49,7 +49,7 @@ std::optional<char> RawTerminal::key(double timeout_s) {
   if (::ppoll(&input, 1, &timeout, nullptr) <= 0) return {};
   char key = 0;
   if (::read(STDIN_FILENO, &key, 1) == 1) return key;
-  sleepUntil(now_s() + timeout_s);  // end of input: do not spin
+  sleepUntil(now_s() + timeout_s);  // at the end of input, avoids a busy loop
   return {};
 }
 

@@ -7,7 +7,8 @@
 
 namespace detent::playback {
 
-/// While one lives, standard input gives single keys. Does nothing where standard input is not a terminal.
+/// While an object exists, standard input delivers single keys. Has no effect if standard input is no
+/// terminal.
 class RawTerminal {
  public:
   RawTerminal();
@@ -15,15 +16,15 @@ class RawTerminal {
   RawTerminal(const RawTerminal&) = delete;
   RawTerminal& operator=(const RawTerminal&) = delete;
   bool interactive() const { return interactive_; }
-  /// A key pressed within `timeout_s` (>= 0), if any; waits to the microsecond.
+  /// A key pressed within `timeout_s` (>= 0), if any; waits with microsecond precision.
   std::optional<char> key(double timeout_s);
 
  private:
   bool interactive_ = false;
 };
 
-/// Gives the terminal back as it was, if a RawTerminal took it. Any thread, also while one lives: for the end
-/// by force.
+/// Restores the terminal's settings if a RawTerminal changed them. Any thread, even while one exists: for a
+/// forced end.
 void restoreTerminal();
 
 /// Columns of the terminal behind standard error; 80 where unknown.

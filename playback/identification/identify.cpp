@@ -18,12 +18,12 @@ constexpr std::size_t fewestSamples = 30, mostKnots = 32;
 constexpr double leastMovement_quanta = 10;
 // Speed counts as constant if 80 % of the moving samples lie within this share of the median.
 constexpr double constantSpread = 0.15;
-constexpr double movingShare = 0.1;    // of the fastest: slower samples tell nothing about speed
-constexpr double standsOut = 3;        // standard errors
-constexpr double slidingShare = 0.02;  // of the fastest: from here on friction has its whole size
+constexpr double movingShare = 0.1;    // of the fastest; slower samples say nothing about the speed
+constexpr double standsOut = 3;        // in standard errors: significance
+constexpr double slidingShare = 0.02;  // of the fastest: from this speed on friction has its full value
 constexpr double mmPerM = 1000;
-constexpr double leastNoiseShare =
-    0.05;  // of the squared residual: at least this share counts as noise, not as rounding of positions
+// of the squared residual: at least this share counts as noise of the force, not as rounding of positions
+constexpr double leastNoiseShare = 0.05;
 
 /// Columns of the fit, in this order: c, k at the knots, b at the knots, f, m.
 struct Columns {
@@ -33,8 +33,8 @@ struct Columns {
   std::size_t count() const { return frictionAt() + (friction ? 1 : 0) + (mass ? 1 : 0); }
 };
 
-/// Adds to `out` what the slope at a knot takes of the knots' values, `factor` times: that of the parabola
-/// through three of them.
+/// Adds to `out`, times `factor`, the weights of the knots' values in the slope at a knot: that of the
+/// parabola through three knots.
 void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
   if (knots == 2) {
     out[0] -= factor, out[1] += factor;
@@ -47,9 +47,9 @@ void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
   }
 }
 
-/// Adds the shares of the knots in the value at a place, `factor` times: cubics that reproduce every
-/// parabola. Straight lines between knots would put a smooth button's bend into the errors, whose size then
-/// no longer covers it.
+/// Adds, times `factor`, the weights of the knots in the value at a position. They are those of cubics that
+/// reproduce every parabola: straight lines between knots would add a smooth button's curvature to the
+/// errors, whose size would then be too small.
 void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, double* out) {
   const std::size_t n = knots_mm.size();
   if (n == 1) {
@@ -66,8 +66,8 @@ void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, 
   addSlope(n, i + 1, -factor * u * u * rest, out);
 }
 
-/// Sums of the shares of one interval between two knots, from its left knot to `u` of its width, as shares of
-/// the values (and slopes) at both knots: the integrals of Hermite's four cubics.
+/// Sums of the weights over one interval between two knots, from its left knot to the share `u` of its width,
+/// for values and slopes at both knots: the integrals of Hermite's four cubics.
 struct CellIntegral {
   double left, right, leftSlope, rightSlope;
   explicit CellIntegral(double u)
@@ -77,7 +77,7 @@ struct CellIntegral {
         rightSlope(u * u * u * (0.25 * u - 1.0 / 3)) {}
 };
 
-/// Adds the integral of the shares from the first knot to a place: b(x) v is the rate at which this changes.
+/// Adds the integral of the weights from the first knot to a position. Its rate of change is b(x) v.
 void addIntegrals(const std::vector<double>& knots_mm, double x_mm, double* out) {
   const std::size_t n = knots_mm.size();
   if (n == 1) {
@@ -95,14 +95,15 @@ void addIntegrals(const std::vector<double>& knots_mm, double x_mm, double* out)
   }
 }
 
-/// A record as the fit sees it, sample by sample.
+/// A record as sample-by-sample columns for the fit.
 struct Samples {
   std::vector<double> knots_mm;
-  Eigen::MatrixXd spring_mm;  ///< what a stiffness of 1 at each knot gives (N)
-  Eigen::MatrixXd way_mm;     ///< what damping of 1 at each knot has taken up to here; its rate is the force
+  Eigen::MatrixXd spring_mm;  ///< force of a stiffness of 1 at each knot (N)
+  /// momentum that a damping of 1 at each knot has taken so far; its rate of change is the force
+  Eigen::MatrixXd way_mm;
   Eigen::VectorXd place_mm, force_N;
-  Eigen::VectorXd
-      direction;  ///< -1 to 1; what hardly moves has none: there friction holds anything up to itself
+  /// -1 to 1; zero for slow samples, because static friction may then have any value up to its maximum
+  Eigen::VectorXd direction;
 };
 
 Eigen::VectorXd directionsOf(const std::vector<double>& velocity_mm_per_s) {
@@ -139,7 +140,7 @@ Samples samplesOf(const ForceRecord& record, std::vector<double> knots_mm,
 struct Equations {
   Eigen::MatrixXd design;
   Eigen::VectorXd force_N;
-  std::vector<std::size_t> centre;  ///< sample in the middle of each window
+  std::vector<std::size_t> centre;  ///< middle sample of each window
 };
 
 Equations equationsOf(const Samples& s, const RecordWindows& windows, const Columns& columns) {
@@ -169,7 +170,7 @@ Equations equationsOf(const Samples& s, const RecordWindows& windows, const Colu
   return e;
 }
 
-/// Values of a fit without errors at every sample: change of force with displacement, and damping.
+/// Values of an error-free fit at every sample: change of force with displacement, and damping.
 struct Local {
   Eigen::VectorXd slope_N_per_mm, damping_Ns_per_mm;
   double mass_kg = 0;
@@ -200,7 +201,7 @@ Local localOf(const Samples& s, const Columns& columns, const Eigen::VectorXd& p
   return local;
 }
 
-/// Weights of rests: the mean of a rest's equations is known no better than its rounding, so it counts less.
+/// Weights of rests. The mean of a rest's equations is known no better than its rounding, so it counts less.
 class StayWeights {
  public:
   StayWeights(const Equations& equations, const Stays& stays)
@@ -220,8 +221,8 @@ class StayWeights {
                               static_cast<double>(rows_[level].size()) * error_N * error_N + 1e-300);
     }
   }
-  /// Takes away from every column what is too much of its mean in each stay. Symmetric: the same serves the
-  /// way back.
+  /// Reduces the mean of each rest in every column to its weight. The operation is symmetric, so it also
+  /// serves as its own transpose.
   void apply(Eigen::Ref<Eigen::MatrixXd> columns) const {
     for (std::size_t level = 0; level < rows_.size(); ++level) {
       if (factor_[level] == 1) continue;
@@ -233,8 +234,8 @@ class StayWeights {
   }
 
  private:
-  std::vector<std::vector<Eigen::Index>> rows_;  ///< of each level
-  std::vector<double> factor_;                   ///< of each level, 0..1
+  std::vector<std::vector<Eigen::Index>> rows_;  ///< of each rest
+  std::vector<double> factor_;                   ///< of each rest, 0..1
 };
 
 struct Solution {
@@ -243,16 +244,16 @@ struct Solution {
   double condition = 1;
 };
 
-/// Least squares of the weighted equations. None where a number in them is not finite.
+/// Least squares of the weighted equations. None if they contain a value that is not finite.
 std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& force_N) {
   if (!design.allFinite()) return {};
-  // Columns of length 1: N, N/mm and N·s/mm differ by orders of magnitude.
+  // Columns are scaled to length 1, because N, N/mm and N·s/mm differ by orders of magnitude.
   const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300).transpose();
   design.array().rowwise() /= lengths.transpose().array();
   Solution solution;
-  // The problem is linear, so one decomposition solves it. No standard error is stated for a combination of
-  // parameters that the record does not determine.
-  constexpr double saysNothing = 1e-7;  // of the greatest singular value
+  // The problem is linear, so one decomposition solves it. A combination of parameters that the record does
+  // not determine gets no standard error.
+  constexpr double saysNothing = 1e-7;  // of the largest singular value
   auto svd = design.bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(saysNothing);
   const Eigen::VectorXd& singular = svd.singularValues();
@@ -264,12 +265,12 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
   return solution;
 }
 
-/// Effect of one unit of error in each sample's force and displacement on the normal equations (the
-/// transposed windows).
+/// Effect of a unit error in each sample's force and displacement on the normal equations (the transposed
+/// windows).
 struct Influence {
   Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
-  double forceSquares = 0;           ///< of what each sample's force does to each equation
-  double placeSquares = 0;           ///< of what the place of each sample that moves does to each equation
+  double forceSquares = 0;           ///< of the effects of each sample's force on each equation
+  double placeSquares = 0;           ///< of the effects of each moving sample's position on each equation
 };
 
 Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equations& equations,
@@ -296,8 +297,8 @@ Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equa
   return influence;
 }
 
-/// Sum over independent errors of (what each does)(the same)ᵀ, an error of a stay being one for all its
-/// samples.
+/// Covariance of independent rounding errors: the sum of (effect)(effect)ᵀ. The error of a rest is common to
+/// all of its samples.
 Eigen::MatrixXd spreadOfRounding(const Eigen::MatrixXd& ofPlace, const Stays& stays) {
   Eigen::MatrixXd ofStays = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(stays.levels), ofPlace.cols());
   Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(ofPlace.cols(), ofPlace.cols());
@@ -318,11 +319,11 @@ struct Fit {
   bool usable = false;
 };
 
-/// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those
-/// of force and rounding, carried through windows, weights and solution
+/// Least squares over the windows, with rests weighted by their rounding. The standard errors are those of
+/// force and rounding, propagated through windows, weights and solution
 /// (docs/develop/decisions/1108-errors-of-identification.md).
 Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& stays, const Columns& columns) {
-  constexpr int passes = 3;  // the first knows no weights yet, the last changes them no more
+  constexpr int passes = 3;  // the first pass has no weights yet; the last does not change them noticeably
   const Equations equations = equationsOf(samples, windows, columns);
   const double rounding_mm = windows.step_mm() / std::sqrt(12.0);
   StayWeights weights(equations, stays);
@@ -342,8 +343,8 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
     const Eigen::MatrixXd ofForce = influence.ofForce.transpose() * influence.ofForce;
     const double freedom = influence.forceSquares - (solution->inverse * ofForce).trace();
     const double squares = (equations.design * solution->parameters - equations.force_N).squaredNorm();
-    // Rounding leaves residuals that are not noise of the force; without noise, little is left of the
-    // squares.
+    // Rounding also causes residuals, which are not noise of the force. Without noise, little remains after
+    // subtracting it.
     const double ofRounding = rounding_mm * rounding_mm * influence.placeSquares;
     fit.residual_N =
         std::sqrt(std::max(squares - ofRounding, leastNoiseShare * squares) / std::max(freedom, 1e-300));
@@ -363,7 +364,7 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
 
 bool standsOutOf(const Estimate& e) { return e.value > standsOut * e.sigma; }
 
-/// Fit with a mass, if there is one: `columns` then says so.
+/// Fit with a mass, if it is significant; `columns` reports that.
 Fit fittedWithMass(const Samples& samples, const RecordWindows& windows, const Stays& stays,
                    Columns& columns) {
   Fit fit = fitted(samples, windows, stays, columns);
@@ -372,7 +373,7 @@ Fit fittedWithMass(const Samples& samples, const RecordWindows& windows, const S
   return fitted(samples, windows, stays, columns);
 }
 
-/// Spread of the speed of what moves, as a share of its median; large where speed varies.
+/// Spread of the speed of moving samples relative to its median; large if the speed varies.
 double speedSpread(std::vector<double> speeds) {
   const double fastest = *std::max_element(speeds.begin(), speeds.end());
   std::erase_if(speeds, [&](double speed) { return !(speed > movingShare * fastest); });
@@ -384,7 +385,7 @@ double speedSpread(std::vector<double> speeds) {
   return 0.5 * (at(0.9) - at(0.1)) / at(0.5);
 }
 
-/// Velocity (mm/s) of every sample; 0 where no window fits into the record.
+/// Velocity (mm/s) of every sample; 0 where no window fits inside the record.
 std::vector<double> velocityOf(const ForceRecord& record, const RecordWindows& windows) {
   std::vector<double> velocity(record.time_s.size(), 0.0);
   std::vector<SampleShare> shares;
@@ -410,7 +411,7 @@ Failure unusable(Message problem, const std::string& remedy) {
   return {FailureCode::unreadableInput, "record", "", std::move(problem), remedy};
 }
 
-/// Failure that names the first sample with a displacement or force that no button can have.
+/// Failure that names the first sample with an impossible displacement or force.
 std::optional<Failure> impossibleSampleOf(const ForceRecord& record) {
   for (std::size_t i = 0; i < record.time_s.size(); ++i) {
     const bool place = std::abs(record.displacement_mm[i]) <= ForceGraph::maxTravel_mm;
@@ -423,7 +424,8 @@ std::optional<Failure> impossibleSampleOf(const ForceRecord& record) {
   return {};
 }
 
-/// A power of two: forces of a nanonewton or of a tonne are fitted alike, and nothing is rounded.
+/// Scale of the forces as a power of two, so that forces of a nanonewton or of a tonne are fitted alike, and
+/// scaling causes no rounding.
 int scaleOf(const std::vector<double>& force_N) {
   double strongest_N = 0;
   for (const double force : force_N) strongest_N = std::max(strongest_N, std::abs(force));
@@ -544,7 +546,7 @@ Result<Button> buttonFrom(const Identification& found, const std::string& name, 
   for (int i = 0; i <= positions && !found.b_Ns_per_mm.empty(); ++i) {
     const double x_mm = travel_mm * i / positions;
     state.damping.push_back({x_mm, std::max(0.0, valueAt(found.knots_mm, found.b_Ns_per_mm, x_mm))});
-    if (found.knots_mm.size() == 1) i = std::max(i, positions - 1);  // a constant needs its ends only
+    if (found.knots_mm.size() == 1) i = std::max(i, positions - 1);  // a constant needs only its two ends
   }
   return Button::fromStates(name, {std::move(state)});
 }

@@ -16,9 +16,9 @@
 namespace detent::playback {
 
 struct IdentifySettings {
-  std::size_t knots = 1;     ///< 1..32 places of k and b over the travel, smooth between them; 1: constants
-  double lowestQuanta = 10;  ///< > 0; a velocity window spans at least so many encoder steps of movement
-  double largestSpread = 0.20;  ///< b is named only if its standard error is below this share of it
+  std::size_t knots = 1;  ///< 1..32 positions of k and b over the travel, smooth between them; 1: constants
+  double lowestQuanta = 10;     ///< > 0; a velocity window spans at least this many encoder steps of movement
+  double largestSpread = 0.20;  ///< b is reported only if its standard error is below this share of it
 };
 
 /// The reason why b is not reported.
@@ -34,17 +34,18 @@ struct Estimate {
 
 struct Identification {
   Estimate offset_N;                   ///< c
-  std::vector<double> knots_mm;        ///< where k and b stand
+  std::vector<double> knots_mm;        ///< positions of k and b
   std::vector<Estimate> k_N_per_mm;    ///< one per knot
-  std::vector<Estimate> b_Ns_per_mm;   ///< one per knot; empty where b is not named
-  std::optional<Estimate> friction_N;  ///< Coulomb's f; only where it stands out of its error
-  std::optional<Estimate> mass_kg;     ///< only where it stands out of its error
+  std::vector<Estimate> b_Ns_per_mm;   ///< one per knot; empty if b is not reported
+  std::optional<Estimate> friction_N;  ///< Coulomb's f; only if it is significantly larger than its error
+  std::optional<Estimate> mass_kg;     ///< only if it is significantly larger than its error
   DampingDoubt doubt = DampingDoubt::none;
-  double doubtFigure = 0;   ///< constantSpeed: spread of speed, share; notCertain: sigma(b) / b
-  double condition = 1;     ///< of the columns of the fit, each scaled to length 1; large: hard to tell apart
-  double residual_N = 0;    ///< rms
-  double step_mm = 0;       ///< of the recording's displacement
-  std::size_t samples = 0;  ///< that entered the fit
+  double doubtFigure = 0;  ///< constantSpeed: spread of speed, share; notCertain: sigma(b) / b
+  /// of the columns of the fit, each scaled to length 1; large: the parameters are hard to distinguish
+  double condition = 1;
+  double residual_N = 0;                  ///< rms
+  double step_mm = 0;                     ///< of the recording's displacement
+  std::size_t samples = 0;                ///< that entered the fit
   std::vector<double> velocity_mm_per_s;  ///< of every sample of the record, for plots
 };
 
@@ -52,7 +53,7 @@ struct Identification {
 /// move. Any thread.
 Result<Identification> identify(const ForceRecord& record, const IdentifySettings& settings = {});
 
-/// The button that was identified: c + k(x) x as press curve, b(x) as damping where it is named.
+/// The identified button: c + k(x) x as press curve, and b(x) as damping if it is reported.
 Result<Button> buttonFrom(const Identification& found, const std::string& name, double travel_mm);
 
 }  // namespace detent::playback

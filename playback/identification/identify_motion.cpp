@@ -15,16 +15,16 @@ namespace {
 
 constexpr double motionMmPerM = 1000;
 constexpr double longestSubstep_s = 100e-6;
-// The record is cut into stretches with a beginning of their own: long enough to tell a force from a speed,
-// short enough that an error of friction does not add up over many turns. At first they are briefer: from far
-// off, long ones lead to a place that is no solution.
+// The record is divided into stretches with individual initial states: long enough to distinguish a force
+// from a speed, short enough that an error of friction does not accumulate over many turns. The first rounds
+// use shorter ones, because far from the solution long ones converge to a wrong minimum.
 constexpr double stretch_s = 0.05, briefStretch_s = 0.02, goodOfStretch = 0.7, movedSteps = 6,
                  moved_mm = 0.02;
-// At slow links' rates they are longer: by samples, not by time, a beginning is known.
+// For slow links they are longer, because an initial state is determined by a number of samples, not by time.
 constexpr double stretchPeriods = 16, briefStretchPeriods = 8;
 constexpr std::size_t leastStretches = 12;
-// Nothing was heard for so many periods: the host or the link paused. A device lets go meanwhile, so what it
-// gave is not known.
+// After this many periods without an answer, the host or the link has paused. A device removes its force
+// meanwhile, so the actual force is unknown.
 constexpr double pausePeriods = 5;
 constexpr int mostRounds = 60;
 constexpr double converged = 1e-5;
@@ -39,18 +39,18 @@ enum Parameter : std::uint8_t { logMass, friction, damping, late_ms, lag_ms2, of
 constexpr std::size_t parameters = 6;
 using Globals = Eigen::Matrix<double, parameters, 1>;
 using Square = Eigen::Matrix<double, parameters, parameters>;
-using Start = Eigen::Vector2d;  ///< place in mm and speed in mm/s at the beginning of a stretch
+using Start = Eigen::Vector2d;  ///< position in mm and speed in mm/s at the beginning of a stretch
 using Locals = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using MotionColumns = Eigen::Matrix<double, Eigen::Dynamic, parameters>;
 
-// Steps of the differences, and what no parameter falls below.
+// Steps of the numerical derivatives, and lower bounds of the parameters.
 constexpr std::array<double, parameters> difference{1e-3, 1e-3, 1e-5, 0.02, 0.01, 1e-3};
-// Errors that are not noise: friction that sticks more than it slides, turns between two substeps. Measured
+// Errors that are not noise: static friction above the sliding friction, turns between two substeps. Measured
 // on simulated handles with known values.
 constexpr std::array<double, parameters> systematic{0.004, 0.0006, 8e-6, 0.012, 0.04, 1e-3};
 constexpr std::array<double, parameters> least{-9.2, 0, 0, 0, 0, -100};
 
-// The division of the lateness into delay and lag has at least this relative error, however small the noise.
+// The division of the lateness into delay and lag has at least this relative error, even without noise.
 constexpr double msPerS = 1000, mostLag = 0.95, splitOfLate = 0.12;
 
 double lagOf_s(const Globals& theta) {
@@ -59,11 +59,11 @@ double lagOf_s(const Globals& theta) {
 double delayOf_s(const Globals& theta) { return theta[late_ms] / msPerS - lagOf_s(theta); }
 
 struct Stretch {
-  std::size_t first = 0, last = 0;  ///< samples, both included
+  std::size_t first = 0, last = 0;  ///< sample indices, both included
   Start start;
 };
 
-/// The record on a grid fine enough to follow the motor, and the force that the motor gives on it.
+/// The record on a time grid fine enough for the motor's dynamics, with the motor's force on it.
 class Motor {
  public:
   explicit Motor(const MotionRecord& record) : record_(record) {
@@ -150,7 +150,7 @@ class MotionFit {
     MotionColumns global;
     Locals local;
     Eigen::VectorXd left;
-    Eigen::Matrix2d inverse;  ///< of local' local
+    Eigen::Matrix2d inverse;  ///< inverse of local' local
   };
   struct Equations {
     Square normal = Square::Zero(), scatter = Square::Zero();
@@ -185,7 +185,7 @@ class MotionFit {
     return theta;
   }
 
-  /// A parameter at its bound that would leave its range stays there.
+  /// Holds a parameter at its bound if a step would leave its range.
   static void holdAtBounds(const Globals& theta, Square& normal, Globals& gradient) {
     for (std::size_t i = 0; i < parameters; ++i) {
       const auto p = static_cast<Eigen::Index>(i);
@@ -197,7 +197,8 @@ class MotionFit {
     }
   }
 
-  // Where the handle hits a stop the model does not hold: such stretches are few, and odd.
+  // The model does not include end stops. The few stretches in which the handle hits one have unusual
+  // residuals and are dropped.
   std::size_t dropOdd(const Globals& theta) {
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
     std::vector<double> squares;
@@ -223,7 +224,7 @@ class MotionFit {
   static Globals bounded(Globals theta) {
     for (std::size_t i = 0; i < parameters; ++i)
       theta[static_cast<Eigen::Index>(i)] = std::max(theta[static_cast<Eigen::Index>(i)], least[i]);
-    // If the lag is all of the lateness, the direction of the correction is unknown.
+    // If the lag is the whole lateness, the direction of the correction is undetermined.
     theta[lag_ms2] = std::min(theta[lag_ms2], mostLag * mostLag * theta[late_ms] * theta[late_ms]);
     return theta;
   }
@@ -275,7 +276,7 @@ class MotionFit {
            high_mm - low_mm > std::max(moved_mm, movedSteps * record_.step_mm);
   }
 
-  /// The straight line through the first few samples.
+  /// Initial state by a straight line through the first few samples.
   Start startOf(std::size_t first, std::size_t last) const {
     Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
@@ -290,7 +291,7 @@ class MotionFit {
     return sums.ldlt().solve(right);
   }
 
-  /// Residuals of the model over a stretch's good samples; `motor_` is already up to date.
+  /// Residuals of the model over a stretch's good samples; `motor_` must be up to date.
   Eigen::VectorXd leftOver(const Globals& theta, const Stretch& stretch, const Start& start) const {
     Eigen::VectorXd left(static_cast<Eigen::Index>(stretch.last - stretch.first + 1));
     Eigen::Index count = 0;
@@ -319,8 +320,7 @@ class MotionFit {
     return std::isfinite(cost) ? cost : std::numeric_limits<double>::max();
   }
 
-  /// Each stretch's own beginning is eliminated: what is left of the other columns is what its beginning
-  /// cannot do.
+  /// Eliminates the initial state of each stretch: the remaining columns contain only what it cannot explain.
   Equations equationsAt(const Globals& theta) {
     Equations e;
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
@@ -360,8 +360,8 @@ class MotionFit {
     return part;
   }
 
-  /// Each stretch takes its new beginning where that is the better one: where friction turns, a straight line
-  /// leads astray. Gives the cost.
+  /// Moves the initial state of each stretch if that lowers its cost; where friction changes its direction,
+  /// the linear step is wrong. Returns the cost.
   double moveStarts(const Equations& e, const Globals& theta, const Globals& by) {
     motor_.follow(delayOf_s(theta), lagOf_s(theta));
     double cost = 0;
@@ -382,7 +382,7 @@ class MotionFit {
     return moves;
   }
 
-  /// The best of a coarse grid, each point with beginnings of its own.
+  /// The best point of a coarse grid, each with its own initial states.
   Globals roughly() {
     const double period_s =
         (record_.time_s.back() - record_.time_s.front()) / static_cast<double>(record_.time_s.size() - 1);
@@ -408,7 +408,7 @@ class MotionFit {
     return best;
   }
 
-  /// Evenly over the record.
+  /// A selection that is evenly spread over the record.
   static std::vector<Stretch> someOf(const std::vector<Stretch>& all) {
     std::vector<Stretch> some;
     const std::size_t every = std::max<std::size_t>(1, all.size() / 32);
@@ -436,8 +436,8 @@ class MotionFit {
     const double used = static_cast<double>(2 * found.stretches + parameters);
     found.residual_mm = std::sqrt(cost / std::max(1.0, n - used));
     found.expected_mm = record_.step_mm / std::sqrt(12.0);
-    // Errors within a stretch are correlated, so stretches are counted, not readings. The variance is at
-    // least that of independent rounding.
+    // Errors within a stretch are correlated, so stretches count as independent, not readings. The variance
+    // is at least that of independent rounding.
     const Square inverse = (e.normal + 1e-15 * Square::Identity()).inverse();
     const double m = static_cast<double>(found.stretches);
     const Square byStretches =
@@ -457,7 +457,7 @@ class MotionFit {
     found.offset_N = estimate(offset);
     const double lateSigma_s = estimate(late_ms).sigma / msPerS;
     found.late_s = {theta[late_ms] / msPerS, lateSigma_s};
-    // The error of the squared lag gives the error of the lag.
+    // The error of the lag follows from that of its square.
     const Estimate square_ms2 = estimate(lag_ms2);
     const double lag_ms = std::sqrt(square_ms2.value),
                  more_ms = std::sqrt(square_ms2.value + square_ms2.sigma) - lag_ms,

@@ -9,10 +9,11 @@ namespace detent::playback {
 
 namespace {
 
-// Samples on each side. Narrower, the rounding of the places drowns the curvature (decision 1108).
+// Samples on each side of a window's middle. With fewer, the rounding of positions dominates the curvature
+// (decision 1108).
 constexpr std::size_t narrowestHalf = 8, widestHalf = 60;
 
-/// The recording's step: smallest change that is more than rounding.
+/// The recording's step: the smallest change that exceeds numerical rounding.
 double stepOf(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double rounding = 1e-9 * std::max(1e-6, *high - *low);
@@ -31,13 +32,13 @@ std::size_t halfWindow(const std::vector<double>& x, std::size_t at, double way_
   return half;
 }
 
-/// Half the time between a sample's neighbours: what it stands for in an integral.
+/// Half the time between a sample's neighbours: its weight in an integral.
 double duration_s(const std::vector<double>& t, std::size_t at) {
   const std::size_t before = at == 0 ? 0 : at - 1, after = std::min(at + 1, t.size() - 1);
   return 0.5 * (t[after] - t[before]);
 }
 
-/// (1 - u²)³ with its first and second derivative: nothing, without a bend, at -1 and 1.
+/// (1 - u²)³ with its first and second derivatives: it vanishes smoothly at -1 and 1.
 SampleShare bumpAt(double u) {
   const double rest = 1 - u * u;
   if (rest <= 0) return {};
@@ -53,7 +54,7 @@ RecordWindows::RecordWindows(const ForceRecord& record, double lowestQuanta)
   }
 }
 
-// Sums over samples stand for integrals; what they miss at uneven times is taken out, so that constants and
+// Sums over samples approximate integrals. Their errors for uneven times are corrected, so that constants and
 // straight lines are exact.
 void RecordWindows::shares(std::size_t at, std::vector<SampleShare>& out) const {
   const std::vector<double>& t = record_.time_s;

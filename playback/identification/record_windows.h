@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Windows over a record in which averages, rates of change and curvatures are taken by one and the same bump.
-// For any quantity q of the record, the rate is exactly how the average changes when the window is moved:
-// what one side of F = c + k x + d(way)/dt + m a loses by smoothing, the other loses too. (Shinbrot's
-// modulating functions, 1957.)
+// Windows over a record that average, differentiate and differentiate twice with one and the same weight
+// function. For any quantity q of the record, the rate is exactly the change of the average as the window
+// moves, so both sides of F = c + k x + d(way)/dt + m a are smoothed in the same way. (Shinbrot's modulating
+// functions, 1957.)
 
 #include <cstddef>
 #include <vector>
@@ -18,16 +18,16 @@ struct SampleShare {
   double mean = 0, perS = 0, perS2 = 0;
 };
 
-/// Refers to the record it was made of. One thread.
+/// Refers to the record from which it was made. One thread.
 class RecordWindows {
  public:
-  /// Makes each window just long enough to span `lowestQuanta` displacement steps of the recording: rounding
-  /// does not hide slow movements, and fast ones are not smeared. The record has at least 17 samples.
+  /// Makes each window just long enough to span `lowestQuanta` displacement steps of the recording, so that
+  /// rounding does not hide slow movements and fast ones are not smeared. The record has at least 17 samples.
   RecordWindows(const ForceRecord& record, double lowestQuanta);
 
   /// Smallest change of displacement in the record (mm).
   double step_mm() const { return step_mm_; }
-  /// False where a window would run out of the record.
+  /// Returns false if a window would extend beyond the record.
   bool inside(std::size_t at) const { return half_[at] > 0; }
   /// First sample of the window around an inside sample.
   std::size_t first(std::size_t at) const { return at - half_[at]; }
@@ -42,13 +42,15 @@ class RecordWindows {
 };
 
 /// Stretches in which the handle rests: runs of one reading that it enters and leaves on the same side, or
-/// that begin or end the record.
+/// that are at an end of the record.
 struct Stays {
   static constexpr std::size_t moving = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> level;  ///< of each sample: equal where it stays at equal readings; or `moving`
+  /// of each sample: samples of one rest have the same number; others have `moving`
+  std::vector<std::size_t> level;
   std::size_t levels = 0;
 };
-/// During a rest, rounding is one unknown number; during movement every sample has another rounding error.
+/// Finds the rests. During a rest, rounding is one unknown number; during movement every sample has a
+/// separate rounding error.
 Stays staysOf(const std::vector<double>& displacement_mm);
 
 }  // namespace detent::playback

@@ -26,7 +26,7 @@ double levelAt(const PlannedBurst& planned, std::int64_t frame, double sampleRat
   return planned.burst.amplitude * (planned.burst.envelope == Envelope::falling ? 1 - share : share);
 }
 
-/// nullptr where nothing sounds.
+/// nullptr if nothing sounds.
 const PlannedBurst* strongestAt(const PressPlan& plan, std::int64_t frame) {
   const PlannedBurst *grain = nullptr, *event = nullptr;
   double slope = 0, strongest = 0, slopeLevel = 1;
@@ -50,7 +50,7 @@ double amplitudeWithin(const PressPlan& plan, std::int64_t from, std::int64_t to
   return std::fmin(1, std::numbers::sqrt2 * std::sqrt(sum / static_cast<double>(to - from)));
 }
 
-/// Forced starts of steps: the stretch's start, and jumps and bottom-outs that keep their distance.
+/// Forced starts of steps: the stretch's start, and all jumps and bottom-outs that are far enough apart.
 std::vector<std::int64_t> hardStarts(const PressPlan& plan, const Stretch& stretch, std::int64_t apart) {
   std::vector<std::int64_t> starts{stretch.from};
   for (const PlannedBurst& planned : plan.bursts)
@@ -119,7 +119,7 @@ std::vector<EnvelopeStep> stepsOf(const PressPlan& plan, const Stretch& stretch,
                        strongest ? strongest->kind : EventKind::grain, k == 0 && beginsEvent(plan, from)});
     }
   }
-  // Where nothing sounds the oscillator stays where it was: no sweep into the next burst.
+  // Where nothing sounds the frequency stays unchanged, so that there is no sweep before the next burst.
   double last_Hz = steps.empty() ? 0 : plan.bursts.front().burst.frequency_Hz;
   for (EnvelopeStep& s : steps) last_Hz = s.frequency_Hz = s.frequency_Hz > 0 ? s.frequency_Hz : last_Hz;
   return steps;
@@ -133,7 +133,8 @@ PlayedWave smoothed(const std::vector<EnvelopeStep>& steps, double sampleRate_Hz
     const double middle = static_cast<double>(here.from + here.to) / 2;
     const bool begins = i == 0 || here.onset || steps[i - 1].frequency_Hz != here.frequency_Hz;
     if (begins) {
-      // Behind an onset the level runs on backwards: a falling burst is strongest where it begins.
+      // After an onset the level is extrapolated backwards, because a falling burst is strongest at its
+      // beginning.
       const bool falls = i + 1 < steps.size() && !steps[i + 1].onset;
       const double slope = falls ? (here.amplitude - steps[i + 1].amplitude) / 2 : 0;
       const double first = here.onset ? std::clamp(here.amplitude + slope, 0.0, 1.0) : here.amplitude;

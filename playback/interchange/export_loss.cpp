@@ -16,11 +16,11 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t finer =
-    4;  // bins than the press has: a burst at the edge of a band is cut where the edge is
-constexpr double noEnergy = 1e-9;      // of the whole: below, a band of the engine's is rounding
-constexpr double ofTransform = 1e-24;  // of the whole: what the transform's rounding leaves of silence
+    4;  // bins relative to the press's own: a burst at the edge of a band is divided exactly there
+constexpr double noEnergy = 1e-9;      // of the whole: a smaller band of the engine is rounding
+constexpr double ofTransform = 1e-24;  // of the whole: rounding of the transform in silence
 
-/// How much of the bin around `frequency_Hz`, `width_Hz` wide, lies within the band.
+/// Share of the bin around `frequency_Hz`, `width_Hz` wide, that lies within the band.
 double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {
   const double low = std::fmax(band.low_Hz, frequency_Hz - width_Hz / 2);
   const double high = std::fmin(band.high_Hz, frequency_Hz + width_Hz / 2);
@@ -34,8 +34,8 @@ struct LowBins {
   std::vector<std::complex<double>> above, below;
 };
 
-/// Spectra of two signals, one as the real, one as the imaginary part, padded with silence to `length`
-/// samples. Every L-th sample is transformed by itself, because only the lowest bins are wanted: exact, and a
+/// Spectra of two signals, one as the real and one as the imaginary part, padded with silence to `length`
+/// samples. Only the lowest bins are needed, so every L-th sample is transformed separately: exact, in a
 /// third of the time.
 template <class First>
 LowBins lowBins(const std::vector<First>& first, const std::vector<double>& second, const Fourier& fourier,
@@ -60,7 +60,7 @@ LowBins lowBins(const std::vector<First>& first, const std::vector<double>& seco
   return bins;
 }
 
-/// Energies within each band of two signals, by one transform: of real numbers, the spectrum's halves are
+/// Energies of two signals within each band, by one transform: the halves of a real signal's spectrum are
 /// conjugates.
 template <class First>
 std::pair<BandEnergies, BandEnergies> energies(const std::vector<First>& first,

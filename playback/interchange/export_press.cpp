@@ -61,7 +61,7 @@ bool sounds(const std::vector<std::vector<double>>& parts) {
   });
 }
 
-/// Failure for a press of which a format's steps leave nothing.
+/// Failure for a press that is too weak for a format's level steps.
 Failure tooFaint(const PressPlan& plan, ExportFormat format) {
   double peak = 0;
   for (const float sample : plan.samples) peak = std::fmax(peak, std::fabs(static_cast<double>(sample)));

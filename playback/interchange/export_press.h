@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A press of a button in the formats of other devices, each with an account of what it does not carry
-// (docs/reference/export-formats.md: what each file holds, and what a player is taken to make of it).
+// Writes a press of a button in the formats of other devices, each with an account of what the format does
+// not carry (docs/reference/export-formats.md: contents of each file, and how a player is assumed to play
+// it).
 
 #include <string>
 #include <vector>
@@ -47,7 +48,7 @@ inline constexpr auto exportFormats = named<ExportFormat>({{"package", ExportFor
 
 struct ExportSettings {
   ExportFormat format = ExportFormat::package;
-  std::string pressName;         ///< what pressed, in words, for the file
+  std::string pressName;         ///< description of the press, for the file
   Feel feel = Feel::clear;       ///< how the program was prepared, for the file
   double sampleRate_Hz = 48000;  ///< of pcm; 8000..192000
   unsigned bits = 16;            ///< of pcm; 8 or 16
@@ -58,26 +59,26 @@ struct Exported {
   ExportLoss loss;
 };
 
-/// Failure: as planPress; wrongUsage for settings outside their ranges, and for a press so faint that nothing
-/// of it sounds in the format. Any thread; allocates.
+/// Failure: as planPress; wrongUsage for settings outside their ranges, and for a press so weak that the
+/// format would contain no sound. Any thread; allocates.
 Result<Exported> exportPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
                              const ExportSettings& settings);
 
 struct ExportSource;
 struct Reduction;
 
-/// The press in the format of the settings, before it becomes text (reduction.h). Failure: nothing of it
-/// would sound in this format.
+/// The press in the format of the settings, before it becomes text (reduction.h). Failure: nothing would
+/// sound in this format.
 Result<Reduction> reductionOf(const ExportSource& source, const ExportSettings& settings);
 
 /// Path of a file of an export.
 std::string pathOf(const std::string& output, const ExportedFile& file);
 
-/// Writes all files of an export, or none where one of them cannot be written; their paths.
+/// Writes all files of an export, or none if one of them cannot be written; returns their paths.
 Result<std::vector<std::string>> writeExported(const Exported& exported, const std::string& output);
 
-/// A press by its name: "standard", or "human:120ms" (or "human:0.12s"): a human-like press whose way down
-/// takes so long, 10 ms to 10 s. Failure wrongUsage: a name that is neither.
+/// A press by its name: "standard", or "human:120ms" (or "human:0.12s"), a human-like press of which the
+/// downward movement takes this long, 10 ms to 10 s. Failure wrongUsage: a name that is neither.
 Result<PressTrace> namedPress(const std::string& name, const HapticProgram& program);
 /// Returns true if `name` has the form of a press name, valid or not; anything else is a file.
 bool namesPress(const std::string& name);

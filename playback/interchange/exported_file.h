@@ -6,8 +6,8 @@
 
 namespace detent::playback {
 
-/// One file of an export. Its path is the requested path with `part` before the ending, and with `ending`
-/// instead of the ending if there is one.
+/// One file of an export. Its path is the requested path with `part` inserted before the extension, and with
+/// `ending` in place of the extension if it is not empty.
 struct ExportedFile {
   std::string part;    ///< ".press", ".release" or empty
   std::string ending;  ///< ".h" or empty

@@ -13,10 +13,10 @@ struct Range {
   double low, high;
 };
 
-/// Gains that make `limited` of `whole`.
+/// Range of gains that turn `whole` into `limited`, within the tolerance.
 Range gainsOf(double whole, double limited, double tolerance) {
   const double level = std::fabs(whole), wanted = whole < 0 ? -limited : limited;
-  if (level <= tolerance) return {0, 1};  // whatever the gain, nobody misses it
+  if (level <= tolerance) return {0, 1};  // the signal is so small that any gain is acceptable
   return {std::clamp((wanted - tolerance) / level, 0.0, 1.0),
           std::clamp((wanted + tolerance) / level, 0.0, 1.0)};
 }
@@ -26,7 +26,7 @@ class Cone {
  public:
   explicit Cone(GainPoint from) : from_(from) {}
 
-  /// False, and nothing changed, where no line meets this range too.
+  /// Returns false, without a change, if no line also meets this range.
   bool narrow(std::int64_t frame, const Range& gains) {
     const auto far = static_cast<double>(frame - from_.frame);
     const double low = std::max(low_, (gains.low - from_.gain) / far);

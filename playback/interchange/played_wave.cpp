@@ -10,7 +10,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double briefest_s =
-    1e-9;  // points that lie closer are a step: a rise within 1e-320 s would be infinite
+    1e-9;  // closer points are a step, because a rise within 1e-320 s would be infinite
 
 double valueAt(WaveShape shape, double cycles) {
   const double share = cycles - std::floor(cycles);
@@ -31,14 +31,14 @@ double valueAt(WaveShape shape, double cycles) {
   return std::sin(2 * std::numbers::pi * cycles);
 }
 
-/// Adds the samples from one point to the next, without the end; returns the phase reached, in cycles.
+/// Adds the samples from one point to the next, excluding the end; returns the phase reached, in cycles.
 double addSegment(std::vector<double>& samples, const WavePoint& from, const WavePoint& to, WaveShape shape,
                   double phase, double sampleRate_Hz) {
   const double lasts_s = to.time_s - from.time_s;
   if (!(lasts_s > briefest_s)) return phase;
   const double rise = (to.frequency_Hz - from.frequency_Hz) / lasts_s;
   const auto phaseAfter = [&](double t) { return phase + t * (from.frequency_Hz + rise * t / 2); };
-  // Times that are whole samples but for rounding stay whole.
+  // A time that is a whole sample except for rounding is treated as whole.
   const auto frameAt = [&](double time_s) { return std::ceil(std::fmax(0, time_s * sampleRate_Hz - 1e-6)); };
   const double end = std::fmin(frameAt(to.time_s), static_cast<double>(samples.size()));
   for (double frame = frameAt(from.time_s); frame < end; ++frame) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The signal that a player makes of an exported file: sines whose amplitude and frequency are linear between
-// points. Every format is reduced to this, and its loss record is that of this signal.
+// points. Every format is reduced to this, and its loss is computed from this signal.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,11 +23,11 @@ enum class WaveShape : std::uint8_t {
   triangle,      ///< 0, 1, 0, -1
   sawtoothUp,    ///< 0 to 1, -1 to 0
   sawtoothDown,  ///< 0 to -1, 1 to 0
-  constant       ///< 1: the amplitudes are the samples
+  constant       ///< 1: the amplitudes themselves are the samples
 };
 
 /// amplitude(t) * shape(phase + integral of the frequency since the first point) from the first point to the
-/// last, silent outside. Two points at one time are a step.
+/// last; silent outside. Two points at one time are a step.
 struct PlayedWave {
   std::vector<WavePoint> points;  ///< by time, never falling
   double phase_cycles = 0;

@@ -9,7 +9,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double nearCeiling = 0.99;  // below, the limiter had nothing to do
+constexpr double nearCeiling = 0.99;  // below this level the limiter had no effect
 
 Burst burstOf(const EngineEvent& event, const HapticProgram& program) {
   const StateProgram& state = program.states[event.state];
@@ -30,7 +30,7 @@ Burst burstOf(const EngineEvent& event, const HapticProgram& program) {
   return {};
 }
 
-/// The events that sound; the others are marks for displays.
+/// The events that sound; the others are only marks for displays.
 std::vector<PlannedBurst> sounding(const std::vector<EngineEvent>& events, const HapticProgram& program) {
   std::vector<PlannedBurst> bursts;
   for (const EngineEvent& event : events) {
@@ -43,8 +43,7 @@ std::vector<PlannedBurst> sounding(const std::vector<EngineEvent>& events, const
   return bursts;
 }
 
-/// Frame of the strongest reading that the engine takes; invalid numbers and values out of range do not
-/// count.
+/// Frame of the strongest reading that the engine accepts, without invalid values and those out of range.
 std::int64_t turnFrame(const PressTrace& trace, const HapticProgram& program,
                        const RenderSettings& settings) {
   ConditionerCounts counts;
@@ -55,10 +54,10 @@ std::int64_t turnFrame(const PressTrace& trace, const HapticProgram& program,
   return strongest == inputs.end() ? 0 : std::llround(strongest->time_frames);
 }
 
-/// Samples without the limiter's effect: rendered far below its ceiling.
+/// Samples without the limiter, rendered far below its ceiling.
 Result<std::vector<float>> unlimited(const HapticProgram& program, const PressTrace& trace,
                                      const RenderSettings& settings) {
-  constexpr double below = 1.0 / 64;  // a power of two: nothing is rounded
+  constexpr double below = 1.0 / 64;  // a power of two, so that scaling causes no rounding
   const auto quiet = std::make_unique<HapticProgram>(program);
   quiet->gain *= below;
   Result<RenderedPress> rendered = renderPress(*quiet, trace, settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A press as everything it makes felt, in order: what all export formats are written from.
+// A press as the sequence of everything that is felt, from which all export formats are written.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,25 +28,26 @@ struct PlannedBurst {
 /// A press, burst by burst, and the samples that the engine makes of it.
 struct PressPlan {
   std::string button;       ///< its name
-  std::string press;        ///< what pressed: "human-like press of 120 ms", a file's name
+  std::string press;        ///< description of the press: "human-like press of 120 ms", a file's name
   Feel feel = Feel::paper;  ///< how the program was prepared
   double sampleRate_Hz = 48000;
   std::int64_t turn_frame =
-      0;  ///< of the strongest (deepest) reading: what begins later belongs to the release
+      0;  ///< frame of the strongest (deepest) reading: sounds that begin later belong to the release
   std::vector<PlannedBurst> bursts;  ///< by rising frame; at least one
-  double slopeUnderJump = 1;         ///< level of the grains while a burst sounds that quietens the slope
+  double slopeUnderJump = 1;         ///< level of the grains during a burst that lowers the slope
   std::vector<float> samples;        ///< `detent-play render` of the same press
-  std::vector<float> unlimited;  ///< the same without the limiter, where that had anything to do; else empty
+  /// the same without the limiter, if the limiter changed anything; otherwise empty
+  std::vector<float> unlimited;
 
   double time_s(std::int64_t frame) const { return static_cast<double>(frame) / sampleRate_Hz; }
   double duration_s() const { return time_s(static_cast<std::int64_t>(samples.size())); }
 };
 
-/// Longest press that is exported: AHAP holds no longer event, and nothing pressed by hand lasts longer.
+/// Longest press that is exported: AHAP allows no longer event, and no press by hand lasts longer.
 inline constexpr double longestExport_s = 30;
 
-/// Plays the press. Failure: as renderPress; wrongUsage for a press longer than `longestExport_s`, or one
-/// under which nothing is felt. Any thread; allocates.
+/// Plays the press. Failure: as renderPress; wrongUsage for a press longer than `longestExport_s`, or one in
+/// which nothing is felt. Any thread; allocates.
 Result<PressPlan> planPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
                             const std::string& pressName, const RenderSettings& settings);
 

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::int64_t pieceFrames = 960;
 constexpr std::array<std::int64_t, 9> stepsTried{480, 240, 120, 60, 30, 15, 8, 4, 2};
-constexpr std::size_t half = 3;  // of the band: a sample sees two points of two amplitudes each
+constexpr std::size_t half = 3;  // of the band: each sample depends on two points with two amplitudes each
 
-/// Symmetric, positive definite, banded; solved in place by Cholesky.
+/// Symmetric, positive definite, banded system; solved in place by Cholesky.
 class BandSystem {
  public:
   explicit BandSystem(std::size_t size) : rows_(size), right_(size, 0) {}
@@ -77,8 +77,8 @@ struct Grid {
 QuadraturePiece fitted(const Signal& signal, const Grid& grid) {
   const std::size_t points = grid.points();
   BandSystem system(2 * points);
-  // Where points lie closer than half waves, many pairs of amplitudes give the same samples: the smallest are
-  // taken.
+  // If points are closer than half waves, many pairs of amplitudes give the same samples; the smallest are
+  // chosen.
   for (std::size_t i = 0; i < 2 * points; ++i) system.add(i, i, 1e-9);
   for (std::size_t i = 0; i + 1 < points || i == 0; ++i) {
     const std::int64_t low = grid.frame(i), high = grid.frame(std::min(i + 1, points - 1));
@@ -116,7 +116,7 @@ double worstError(const Signal& signal, const QuadraturePiece& piece) {
   return worst;
 }
 
-/// A point per sample: exact by projection onto the pair of sines.
+/// One point per sample: exact, by projection onto the two sines.
 QuadraturePiece sampleBySample(const Signal& signal, const Grid& grid) {
   QuadraturePiece piece;
   for (std::int64_t frame = grid.from; frame <= grid.to; ++frame)
@@ -145,7 +145,7 @@ std::vector<QuadraturePiece> quadraturePieces(const std::vector<double>& samples
       ++from;
       continue;
     }
-    std::int64_t to = from;  // the last sample within reach that is heard
+    std::int64_t to = from;  // the last audible sample within reach
     for (std::int64_t frame = from; frame < std::min(count, from + pieceFrames); ++frame)
       if (!signal.silent(frame)) to = frame;
     pieces.push_back(pieceWithin(signal, from, to));

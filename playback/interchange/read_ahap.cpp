@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Apple's AHAP. Missing values are its defaults, values out of range are clamped, unknown keys are left
-// alone, as Core Haptics does.
+// Reads Apple's AHAP. As in Core Haptics, missing values get its defaults, values out of range are clamped,
+// and unknown keys are ignored.
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double anyNumber = 1e9;
-constexpr double longestEvent_s = 30;   // of a continuous one
-constexpr double curveStep_s = 0.0005;  // between points where the amplitude is not linear
+constexpr double longestEvent_s = 30;   // of a continuous event
+constexpr double curveStep_s = 0.0005;  // distance of interpolated points where the amplitude is not linear
 
 /// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another
 /// one begins: linear between its points, constant after the last one.
@@ -102,7 +102,7 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   control->add(std::move(points));
 }
 
-/// A dynamic parameter: another value from its time on.
+/// Reads a dynamic parameter: a new value from its time on.
 void readParameter(const JsonPlace& entry, Controls& controls, ReferenceWaves& result) {
   const std::string parameter = entry.textOr("ParameterID", "");
   Control* const control = controls.named(parameter);
@@ -158,7 +158,7 @@ WavePoint pointBefore(const ReadAhapEvent& event, const Controls& controls, doub
 PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
   PlayedWave wave;
   if (event.transient) {
-    // The controls act on a transient at its start only.
+    // Controls act on a transient only at its start.
     const WavePoint first = pointAt(event, controls, event.from_s);
     wave.points = {first, {event.to_s, 0, first.frequency_Hz}};
     return wave;
@@ -166,7 +166,7 @@ PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
   std::vector<double> times;
   controls.intensity.collectTimes(event.from_s, event.to_s, times);
   controls.sharpness.collectTimes(event.from_s, event.to_s, times);
-  // The amplitude is the square of a straight line.
+  // The amplitude is the square of a linear function, so further points are needed.
   if (!controls.intensity.silent())
     for (double t = event.from_s + curveStep_s; t < event.to_s; t += curveStep_s) times.push_back(t);
   std::sort(times.begin(), times.end());

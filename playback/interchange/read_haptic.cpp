@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lofelt's and Meta's .haptic, version 1: played as its own conversion to AHAP has it (NiceVibrations):
-// intensity is the root of an amplitude, sharpness the root of a frequency; at an emphasis the envelope is
-// ducked and a transient stands on it.
+// Reads .haptic, version 1, of Lofelt and Meta. It is played as in their own conversion to AHAP
+// (NiceVibrations): intensity is the square root of an amplitude, sharpness the square root of a frequency;
+// during an emphasis the envelope is lowered and a transient is added.
 
 #include <cmath>
 
@@ -12,13 +12,13 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double ducked = 0.8;  // of the intensity under an emphasis
+constexpr double ducked = 0.8;  // factor of the intensity during an emphasis
 
 struct Breakpoint {
   double time_s = 0, value = 0;
 };
 
-/// Times never fall; values within 0..1: what its own reader demands.
+/// Requires times that do not decrease and values within 0..1, like the format's own reader.
 Breakpoint breakpointOf(const JsonPlace& entry, const char* value, const std::vector<Breakpoint>& before) {
   const Breakpoint point{entry.at("time").number(0, longestReference_s), entry.at(value).number(0, 1)};
   if (!before.empty() && point.time_s < before.back().time_s)
@@ -34,7 +34,7 @@ double straight(const std::vector<Breakpoint>& points, std::size_t next, double 
                              : b.value;
 }
 
-/// Both envelopes over one list of times. A step (two points at one time) stays a step.
+/// Both envelopes over a common list of times. A step (two points at one time) remains a step.
 std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
                               const std::vector<Breakpoint>& frequencies) {
   std::vector<WavePoint> points;
@@ -47,7 +47,7 @@ std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
     const double frequency = frequencies.empty()          ? 0
                              : !amplitudeNext || together ? frequencies[f].value
                                                           : straight(frequencies, f, time_s);
-    // Before the envelope begins nothing sounds.
+    // Nothing sounds before the envelope begins.
     if (amplitudeNext || a > 0) points.push_back({time_s, level, frequencyOf(frequency)});
     if (amplitudeNext) ++a;
     if (!amplitudeNext || together) ++f;
@@ -88,7 +88,7 @@ ReferenceWaves hapticWaves(const JsonPlace& file) {
     envelopes.at("amplitude").refuse(Message("holds no point"), Message("Give at least one"));
   if (envelopes.has("frequency"))
     for (const JsonPlace& entry : envelopes.at("frequency").elements()) {
-      // Straight between the roots, as AHAP's curves are.
+      // Linear between the square roots, like AHAP's curves.
       frequencies.push_back(breakpointOf(entry, "frequency", frequencies));
       frequencies.back().value = std::sqrt(frequencies.back().value);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// HJIF, the JSON of ISO/IEC 23090-31: as its reference software evaluates bands, with the phase of several
-// frequencies in seconds at any timescale (the reference software has it right at 1000 ticks a second only).
+// Reads HJIF, the JSON of ISO/IEC 23090-31. Bands are evaluated as in its reference software, except that the
+// phase of several frequencies is in seconds at any timescale (the reference software is right only at 1000
+// ticks per second).
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double mostTicks = 2147483647, fastest_Hz = 20000, strongest = 1000;
-constexpr int cubicParts = 16;  // straight pieces of a cubic one
+constexpr int cubicParts = 16;  // straight pieces that approximate a cubic one
 
 enum class BandKind : std::uint8_t { curve, vectorial, transient };
 
@@ -64,7 +65,7 @@ std::vector<Keyframe> keyframesOf(const JsonPlace& effect, const Band& band) {
   return keyframes;
 }
 
-/// Straight between the keyframes that have it, the nearest one's outside.
+/// Linear between the keyframes that have the value; outside, that of the nearest one.
 double between(const std::vector<Keyframe>& keyframes, std::optional<double> Keyframe::*member, double time_s,
                double otherwise) {
   const Keyframe* before = nullptr;
@@ -99,7 +100,7 @@ PlayedWave vectorial(const std::vector<Keyframe>& keyframes, const JsonPlace& ef
   return wave;
 }
 
-/// Two cycles of one amplitude in 22 ms for each keyframe, whatever its frequency.
+/// For each keyframe two cycles of constant amplitude within 22 ms, whatever its frequency.
 void addTransients(const std::vector<Keyframe>& keyframes, double from_s, ReferenceWaves& result) {
   for (const Keyframe& keyframe : keyframes) {
     if (!keyframe.amplitude) continue;
@@ -126,7 +127,7 @@ PlayedWave curve(const std::vector<Keyframe>& keyframes, double from_s, bool cub
   return wave;
 }
 
-/// The last keyframe's own sample still sounds, as in the reference software.
+/// Includes the sample of the last keyframe, as the reference software does.
 PlayedWave endIncluded(PlayedWave wave) {
   if (wave.points.empty()) return wave;
   wave.points.push_back(wave.points.back());
@@ -144,7 +145,7 @@ void addEffect(const JsonPlace& effect, double from_s, const Band& band, Referen
     result.waves.push_back(endIncluded(vectorial(keyframes, effect, from_s, band)));
 }
 
-/// False: a kind that is not played, noted.
+/// Returns false for a kind of band that is not played, which is noted.
 bool readBand(const JsonPlace& entry, Band& band, ReferenceWaves& result) {
   const std::string kind = entry.at("band_type").text();
   if (kind == "WaveletWave") {
@@ -192,7 +193,7 @@ void readEffect(const JsonPlace& effect, const Library& library, const Band& ban
 
 ReferenceWaves hjifWaves(const JsonPlace& file) {
   const std::string version = file.at("version").text();
-  const bool draft = version == "1";  // written by the reference software until it named the edition
+  const bool draft = version == "1";  // the reference software wrote this before it named the edition
   if (!draft && !version.starts_with("2023") && !version.starts_with("2025"))
     file.at("version").refuse(Message("is %1: another edition than those of 2023 and 2025", version),
                               Message("Export it for one of these"));

@@ -16,7 +16,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t largestText = std::size_t{16} << 20;
-constexpr double mostSounding_s = 1200;  // all waves together: what is read in well under a second
+constexpr double mostSounding_s = 1200;  // of all waves together, so that reading takes well under a second
 constexpr std::size_t longestName = 60, mostNotes = 16;
 
 Failure unreadable(const std::string& name, Message place, Message problem, const Message& remedy) {
@@ -25,7 +25,7 @@ Failure unreadable(const std::string& name, Message place, Message problem, cons
 
 Message anyOfThem() { return Message("Give an AHAP, .haptic or HJIF file, or a sound file such as a WAV"); }
 
-/// Notes are for people: a file's own words are kept short.
+/// Shortens a text from the file for a note to people.
 std::string shortened(std::string text) {
   if (text.size() > longestName) text = text.substr(0, longestName) + "...";
   for (char& c : text)
@@ -33,12 +33,12 @@ std::string shortened(std::string text) {
   return text;
 }
 
-/// Full scale is full scale.
+/// Lowers samples that exceed full scale.
 void turnDown(std::vector<double>& samples, ReferenceSignal& signal) {
   double peak = 0;
   for (const double sample : samples) peak = std::fmax(peak, std::fabs(sample));
   const double gain = peak > 1 ? 1 / peak : 1;
-  // Rounding beyond full scale is not reported.
+  // Excess caused by rounding is not reported.
   if (peak > 1 + 1e-6)
     signal.notes.emplace_back(Message("it passes full scale by a factor of %1 and is turned down", peak));
   signal.samples.reserve(samples.size());
@@ -92,8 +92,8 @@ std::uint64_t littleEndian(const Head& head, std::size_t at, std::size_t bytes) 
   return value;
 }
 
-/// Size that a file's own header gives it; 0 where it gives none. 0 and the largest number stand in streams
-/// that did not know.
+/// Size that the file's own header states; 0 if none. Streams of unknown length contain 0 or the largest
+/// number.
 std::uint64_t statedSize(const Head& head) {
   const std::string_view kind = wordOf(head, 0);
   constexpr std::uint64_t unknown = 0xFFFFFFFF, chunkHead = 8;
@@ -132,7 +132,7 @@ Result<ReferenceSignal> soundReference(const Head& head, const std::filesystem::
   return signal;
 }
 
-/// The text without commas that nothing follows but a closing bracket: Apple's own AHAP samples have them.
+/// The text without commas before a closing bracket, which occur in Apple's own AHAP samples.
 std::string withoutClosingCommas(std::string_view text) {
   std::string kept;
   kept.reserve(text.size());
@@ -148,7 +148,8 @@ std::string withoutClosingCommas(std::string_view text) {
   return kept;
 }
 
-/// Throws nlohmann's parse_error, with its place in `text`. `closingCommas`: it is JSON but for those.
+/// Throws nlohmann's parse_error, with the position in `text`. `closingCommas`: the text is JSON except for
+/// such commas.
 nlohmann::json jsonOf(std::string_view text, bool& closingCommas) {
   const std::string kept = withoutClosingCommas(text);
   closingCommas = kept.size() < text.size();

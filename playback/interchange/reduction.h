@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The form of a press in one format, before it becomes text: the file can thus carry its own loss record.
+// A press in the form of one format, before it becomes text, so that the file can contain its own loss
+// record.
 
 #include <functional>
 #include <string>
@@ -15,14 +16,14 @@
 namespace detent::playback {
 
 struct Reduction {
-  /// Signal that a player makes of it, on the plan's time axis and at its rate; press and release apart if
-  /// they are started separately.
+  /// Signal that a player makes of it, on the plan's time axis and at its rate; press and release separately
+  /// if they are started separately.
   std::vector<std::vector<double>> played;
-  ExportLoss loss;  ///< all but the energies, which follow from `played`
+  ExportLoss loss;  ///< complete except for the energies, which follow from `played`
   std::function<std::vector<ExportedFile>(const ExportLoss&)> write;
 };
 
-/// Contents of every file's header.
+/// Data for the header of every file.
 struct ExportSource {
   const Button& button;
   const HapticProgram& program;
@@ -49,7 +50,7 @@ std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPl
 /// "Made by Detent 0.2.0 from button "B": human-like press of 120 ms" and the loss, for comments.
 std::vector<std::string> headLines(const ExportSource& source, const ExportLoss& loss);
 
-/// A C block comment of these lines; nothing in them can end it.
+/// A C block comment with these lines; no content can end it early.
 std::string cComment(const std::vector<std::string>& lines);
 /// A C string literal of any bytes.
 std::string cString(const std::string& text);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A signal that another program made, to be felt beside a button: never a button, since no such file says
-// what force or place belongs to what is felt (docs/reference/export-formats.md: how each is played).
+// A signal that another program made, to be felt for comparison with a button. It never becomes a button,
+// because no such file states the force or displacement of what is felt (docs/reference/export-formats.md:
+// how each is played).
 
 #include <cstdint>
 #include <filesystem>
@@ -36,8 +37,8 @@ struct ReferenceSignal {
   ReferenceFormat format = ReferenceFormat::sound;
   std::vector<float> samples;  ///< at referenceRate_Hz, within [-1, 1]; at least one
   double peak = 0;             ///< largest |sample|
-  std::size_t events = 0;      ///< that it was made of; 0 for sound
-  std::vector<Message> notes;  ///< what of the file is not played, or played differently
+  std::size_t events = 0;      ///< number of events in the file; 0 for sound
+  std::vector<Message> notes;  ///< parts of the file that are not played, or are played differently
 
   double duration_s() const { return static_cast<double>(samples.size()) / referenceRate_Hz; }
 };
@@ -47,7 +48,7 @@ struct ReferenceSignal {
 /// allocates; at most some 100 ms.
 Result<ReferenceSignal> readReference(const std::filesystem::path& file);
 
-/// The same of a text that is JSON of one of the formats; `name` is what a Failure calls it.
+/// The same for a text that is JSON of one of the formats; `name` is its name in a Failure.
 Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name);
 
 }  // namespace detent::playback

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Reads the JSON of each format into waves, before they become samples.
+// Converts the JSON of each format to waves, before they become samples.
 
 #include <cstddef>
 #include <string>
@@ -20,21 +20,21 @@ struct ReferenceWaves {
   std::size_t events = 0;
   std::vector<Message> notes;
 
-  /// Says it once.
+  /// Adds a note unless it is there already.
   void note(Message message);
 };
 
-/// One value of a file with its place in it ("Pattern[3].Event.Time"). Refuses by throwing a Failure, which
-/// `referenceFromText` catches: no other function of this folder lets one out.
+/// A value in a file with its path ("Pattern[3].Event.Time"). Refuses by throwing a Failure, which
+/// `referenceFromText` catches: no other function of this folder lets one escape.
 class JsonPlace {
  public:
   JsonPlace(const nlohmann::json& value, std::string place, const std::string& file)
       : value_(value), place_(std::move(place)), file_(file) {}
 
   bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
-  /// The member; refuses where this is no object or has none of that name.
+  /// The member of this name; refuses if this is no object or has no such member.
   JsonPlace at(const char* key) const;
-  /// The elements; refuses what is no list.
+  /// The elements; refuses if this is no list.
   std::vector<JsonPlace> elements() const;
   /// A finite number within [low, high].
   double number(double low, double high) const;

@@ -14,10 +14,10 @@ namespace {
 constexpr int mostUnits = 8;
 constexpr std::size_t mostSnippets = 15, shortFrames = 7;  // a frame of a later snippet takes two bytes
 constexpr std::size_t freeBytes = snippetMemoryBytes - 4;  // two counts, two end pointers of sequences
-constexpr double cheapest = 1e-3, dearest = 1e7;  // squared levels that a byte is worth, at least and at most
-constexpr int halvings = 14;                      // of the range between, on a logarithmic scale
+constexpr double cheapest = 1e-3, dearest = 1e7;           // bounds of the price of a byte, in squared levels
+constexpr int halvings = 14;  // bisection steps over that range, on a logarithmic scale
 
-/// The cheapest points of an envelope up to each cell: squared error, and `perByte` for every byte.
+/// The cheapest points of an envelope up to each cell: squared error plus `perByte` for every byte.
 class CheapestPoints {
  public:
   CheapestPoints(const LevelPath& levelPath, double perByte)
@@ -61,7 +61,7 @@ class CheapestPoints {
     SnippetRow row;
     row.held = cell;
     row.cut = cell < cells_;
-    bool begun = true;  // the point behind began a snippet
+    bool begun = true;  // the previous point began a snippet
     for (const Reached* end = cell > 0 ? &cheapestAt(cell) : nullptr; end != nullptr;) {
       if (begun) row.snippets.push_back({end->timebase, {}});
       row.snippets.back().points.push_back(end->point);
@@ -76,11 +76,11 @@ class CheapestPoints {
   }
 
  private:
-  /// The cheapest way to a cell whose last point has one timebase.
+  /// The cheapest way to reach a cell with a last point of one time unit.
   struct Reached {
     double cost = std::numeric_limits<double>::infinity();
     SnippetPoint point;
-    bool begins = false;  ///< a snippet, with this point
+    bool begins = false;  ///< this point begins a snippet
     std::size_t timebase = 0, points = 0, snippets = 0;
     std::size_t fromCell = 0, fromTimebase = 0;
   };
@@ -123,7 +123,7 @@ class CheapestPoints {
     const int level = levelNear(sums.levels / count);
     return {{false, units, level}, sums.squares - 2 * level * sums.levels + level * level * count};
   }
-  /// A straight line that begins at `start`: least squares over the cells' middles.
+  /// A linear ramp from level `start`, by least squares over the cells' middles.
   Piece ramp(std::size_t from, std::size_t to, int units, int start) const {
     const Sums sums = within(from, to);
     const double count = static_cast<double>(to - from);
@@ -147,9 +147,9 @@ class CheapestPoints {
 
   std::size_t cells_;
   double perByte_;
-  std::vector<std::size_t> nextOnset_;  // behind each cell; cells_ where none is
+  std::vector<std::size_t> nextOnset_;  // next onset after each cell; cells_ if there is none
   std::vector<std::array<Reached, snippetUnits.size()>> reached_;
-  std::vector<Sums> sums_;  // of the cells before
+  std::vector<Sums> sums_;  // sums over the cells before each one
 };
 
 using Rows = std::array<SnippetRow, 2>;
@@ -162,7 +162,7 @@ bool fits(const Rows& rows) {
   return bytes <= freeBytes && snippets <= mostSnippets;
 }
 
-/// Rows cut to each one's share of the memory.
+/// Rows reduced to each one's share of the memory.
 Rows cutToShares(const std::array<CheapestPoints, 2>& halves) {
   Rows rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -222,9 +222,9 @@ std::array<int, snippetMemoryBytes> memoryOf(const std::array<SnippetRow, 2>& ro
   std::size_t number = 0;
   for (const SnippetRow& row : rows) {
     for (const Snippet& snippet : row.snippets) {
-      ++number;  // 0 is the chip's own silence
+      ++number;  // sequence 0 is silence in the chip
       memory[at++] = static_cast<int>(snippet.timebase << 3 | (number & 7));
-      if (number > shortFrames) memory[at++] = 0x81;  // the number's fourth bit; once
+      if (number > shortFrames) memory[at++] = 0x81;  // sent once; sets the fourth bit of the number
     }
     memory[pointer++] = static_cast<int>(at - 1);
   }

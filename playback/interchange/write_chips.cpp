@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables for driver chips and plain samples, as C. What a data sheet leaves open is said in the file.
+// Writes tables for driver chips, and plain samples, as C. Assumptions where a data sheet is silent are
+// stated in the file.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ int frequencyCode(double frequency_Hz) {
   return std::clamp(static_cast<int>(std::lround(frequency_Hz / slice_Hz)), 1, highestByte);
 }
 
-/// Silence as long as can be had: the frequency and number of cycles that come nearest.
+/// Silence of about this duration: the frequency and number of cycles that come nearest.
 Slice pause(double time_s) {
   Slice best{0, highestByte, 1};
   double least = std::fabs(best.lasts_s() - time_s);
@@ -76,7 +77,7 @@ class SliceWriter {
       } else if (cycle.lasts_s() <= left_s + (step.onset ? latestOnset_s : 0)) {
         put(cycle);
       } else {
-        put(pause(left_s));  // a jump begins sooner than the cycle would end
+        put(pause(left_s));  // the next jump begins before the cycle would end
       }
     }
   }
@@ -87,7 +88,7 @@ class SliceWriter {
 
  private:
   static constexpr double latestOnset_s =
-      0.001;  // by which a jump may begin late for the one before it to be heard
+      0.001;  // by which a jump may be delayed so that the one before it can be felt
   static constexpr double shortestPause_s = 1.0 / (slice_Hz * highestByte) / 2;
 
   double nextOnset_s() const {
@@ -98,14 +99,14 @@ class SliceWriter {
     return 1e9;
   }
   const EnvelopeStep& stepAt(double time_s) const {
-    // An event sooner than the shortest pause begins now.
+    // An event within the shortest pause begins now.
     const double frame = (time_s + shortestPause_s) * rate_Hz_;
     for (const EnvelopeStep& step : steps_)
       if (frame < static_cast<double>(step.to)) return step;
     return steps_.back();
   }
-  /// An onset within a step sets its frequency, even if the slope is stronger: the slope's longer cycle might
-  /// not end before the next onset.
+  /// An onset within a step sets its frequency, even if the slope is stronger, because the slope's longer
+  /// cycle might not end before the next onset.
   double frequency_Hz(const EnvelopeStep& step) const {
     if (step.onset)
       for (const PlannedBurst& planned : plan_.bursts)
@@ -141,8 +142,8 @@ class SliceWriter {
   double rate_Hz_;
   const std::vector<EnvelopeStep>& steps_;
   PlayedWave levels_;
-  double now_s_ = 0;   // of the press
-  double owed_s_ = 0;  // by which the slices are ahead of it: pauses too short to be written
+  double now_s_ = 0;   // time within the press
+  double owed_s_ = 0;  // time by which the slices are ahead of it, because of pauses too short to be written
 };
 
 std::string bos1921Text(const ExportSource& source, const std::vector<Slice>& slices,

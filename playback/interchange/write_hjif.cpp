@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ISO/IEC 23090-31, interchange form (JSON), profile Main. Jumps and bottom-outs are vectorial waves of their
-// own, exact in time (timescale 48000), frequency and envelope; filtered grains, and whatever else the engine
-// adds, are two waves a quarter turn apart. No Curve and no Transient band: players disagree about them.
+// Writes ISO/IEC 23090-31, interchange form (JSON), profile Main. Each jump and bottom-out is a vectorial
+// wave with exact time (timescale 48000), frequency and envelope. Filtered grains, and everything else that
+// the engine adds, are two waves a quarter turn apart. Curve and Transient bands are not used, because
+// players disagree about them.
 
 #include <cmath>
 #include <numbers>
@@ -22,12 +23,12 @@ using Json = nlohmann::ordered_json;
 constexpr double tolerance = 3e-4;  // of full scale
 constexpr std::size_t mostBandsOfLevel1 = 7;
 constexpr const char* noDate =
-    "1970-01-01";  // a date is required; a fixed one makes equal files of equal presses
+    "1970-01-01";  // a date is required; a fixed one makes files of equal presses equal
 
 struct Effect {
   std::int64_t from = 0, to = 0;  ///< samples, both included
   double phase_rad = 0, frequency_Hz = 0;
-  std::vector<std::pair<std::int64_t, double>> amplitudes;  ///< sample after `from`, share of full scale
+  std::vector<std::pair<std::int64_t, double>> amplitudes;  ///< samples after `from`, share of full scale
 };
 
 PlayedWave waveOf(const Effect& effect, double sampleRate_Hz) {
@@ -36,15 +37,15 @@ PlayedWave waveOf(const Effect& effect, double sampleRate_Hz) {
   for (const auto& [frame, amplitude] : effect.amplitudes)
     wave.points.push_back(
         {static_cast<double>(effect.from + frame) / sampleRate_Hz, amplitude, effect.frequency_Hz});
-  // The last keyframe's own sample sounds too.
+  // The sample of the last keyframe sounds too.
   WavePoint after = wave.points.back();
   after.time_s += 0.5 / sampleRate_Hz;
   wave.points.push_back(after);
   return wave;
 }
 
-/// A silent keyframe stands behind the last: players reckon a sample's place with rounding, and would leave
-/// it out. The first is silent.
+/// A silent keyframe follows the last one, because players compute sample positions with rounding and would
+/// leave the last sample out. The first keyframe is silent.
 Effect effectOf(const PlannedBurst& planned, double gain, double sampleRate_Hz) {
   const double length = planned.burst.duration_s * sampleRate_Hz;
   const auto last = static_cast<std::int64_t>(std::ceil(length - 1e-9)) - 1;
@@ -59,7 +60,7 @@ Effect effectOf(const PlannedBurst& planned, double gain, double sampleRate_Hz) 
   return effect;
 }
 
-/// Two effects: the sine's and the cosine's amplitudes of one piece, between silent keyframes.
+/// Two effects, with the amplitudes of sine and cosine of one piece between silent keyframes.
 std::pair<Effect, Effect> effectsOf(const QuadraturePiece& piece, double frequency_Hz, double sampleRate_Hz) {
   const std::int64_t guard = piece.front().frame > 0 ? 1 : 0;
   const std::int64_t from = piece.front().frame - guard;
@@ -76,7 +77,7 @@ std::pair<Effect, Effect> effectsOf(const QuadraturePiece& piece, double frequen
   return {sine, cosine};
 }
 
-/// A band plays one effect at a time: what overlaps gets another band.
+/// A band plays one effect at a time, so overlapping effects get separate bands.
 void place(std::vector<std::vector<Effect>>& bands, Effect effect) {
   for (std::vector<Effect>& band : bands) {
     if (band.back().to >= effect.from) continue;
@@ -86,8 +87,9 @@ void place(std::vector<std::vector<Effect>>& bands, Effect effect) {
   bands.push_back({std::move(effect)});
 }
 
-/// Amplitudes are within -1 and 1, and players hold the sum within full scale after each band, before the
-/// channel's gain: what passes that is written smaller under a larger gain. At least 1.
+/// Gain of the channel, at least 1. Amplitudes are within -1 and 1, and players limit the sum to full scale
+/// after each band, before the channel's gain: louder effects are therefore written smaller, with a larger
+/// gain.
 double gainFor(const std::vector<std::vector<Effect>>& bands, const PressPlan& plan) {
   std::vector<double> sum(plan.samples.size(), 0);
   double peak = 1;
@@ -107,8 +109,8 @@ Json jsonOf(const Effect& effect, double gain) {
   Json keyframes = Json::array();
   for (const auto& [frame, amplitude] : effect.amplitudes)
     keyframes.push_back({{"relative_position", frame}, {"amplitude_modulation", amplitude / gain}});
-  // On the first one alone: from several the reference software reckons a phase in milliseconds, whatever the
-  // timescale.
+  // Only in the first keyframe: with several the reference software computes the phase in milliseconds,
+  // whatever the timescale.
   keyframes.front()["frequency_modulation"] = static_cast<int>(effect.frequency_Hz);
   return {{"effect_type", "Basis"},
           {"position", effect.from},
@@ -163,7 +165,8 @@ std::string textOf(const ExportSource& source, const std::vector<std::vector<Eff
   return jsonText(file, 1) + "\n";
 }
 
-/// Bursts that nothing filters stand as they are; with an equalizer, or a low-pass over all, none does.
+/// Returns true if bursts are not filtered and can be written exactly; with an equalizer, or a low-pass over
+/// everything, none can.
 bool burstsPassUnfiltered(const HapticProgram& program) {
   return program.equalizerBandCount == 0 && program.lowPass.placement != LowPassPlacement::wholeChain;
 }

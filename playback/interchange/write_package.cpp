@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The force-triggered package: at which force what is to be played, for devices that sense force themselves.
-// As JSON and as a C header.
+// Writes the force-triggered package: at which force which signal is to be played, for devices that measure
+// force themselves. As JSON and as a C header.
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ struct Trigger {
   Burst burst;
 };
 
-/// A piece of a stroke with grains, and their strength: `level` multiplies the amplitude of each.
+/// A part of a stroke with grains; `level` is a factor on the amplitude of each.
 struct SlopePiece {
   double from_mm = 0, to_mm = 0;  ///< of its first and last grain
   double level = 1;
@@ -50,20 +50,20 @@ struct StatePackage {
   std::optional<double> press_N, press_mm, release_N, release_mm;
   StateMetrics metrics;
   std::optional<double> operating_mm, operating_N, reset_mm, reset_N;
-  double settled_N = 0;  ///< at which a release comes to StateProgram::rest_mm
+  double settled_N = 0;  ///< force at which a release reaches StateProgram::rest_mm
 };
 
 constexpr double gainTolerance = 1e-4;  // of full scale
 
 double inGrams(double force_N) { return force_N / newtonsPer(ForceUnit::gramForce); }
 
-/// Between two places of a table, of which the second is deeper.
+/// Force interpolated between two points of a table, of which the second is deeper.
 double forceBetween(const TablePoint& a, const TablePoint& b, double displacement_mm) {
   const double share = (displacement_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
   return a.force_N + (b.force_N - a.force_N) * share;
 }
 
-/// The force at which a press first reaches a displacement: the largest on the way, not that of the
+/// The force at which a press first reaches a displacement: the largest up to there, not the force at that
 /// displacement. At a vertical rise, its lower end.
 double pressedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.press;
@@ -79,8 +79,8 @@ double pressedAt_N(const StateProgram& state, double displacement_mm) {
   return strongest_N;
 }
 
-/// The same for a release, which comes from the end: the smallest on the way; at a vertical rise, its upper
-/// end.
+/// The same for a release, which starts at the end: the smallest force down to there; at a vertical rise, its
+/// upper end.
 double releasedAt_N(const StateProgram& state, double displacement_mm) {
   const StrokeTable& table = state.release;
   if (table.pointCount == 0) return 0;
@@ -94,8 +94,8 @@ double releasedAt_N(const StateProgram& state, double displacement_mm) {
   return least_N;
 }
 
-/// Back is reached on the other stroke: what a press plays is armed by a release, and never above its own
-/// force.
+/// Triggers of a stroke. A trigger is re-armed on the other stroke: a press's by a release, and never above
+/// its own force.
 std::vector<Trigger> triggersOf(const StateProgram& state, bool release) {
   std::vector<Trigger> triggers;
   const StrokeTable& table = release ? state.release : state.press;
@@ -148,8 +148,8 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     package.reset_N = releasedAt_N(program, program.reset_mm);
   }
   package.settled_N = releasedAt_N(program, program.rest_mm);
-  // The device switches at the felt event: the first jump; without one the operating point, then the
-  // bottom-out.
+  // The device switches at an event that is felt: the first jump; without one at the operating point, else at
+  // the bottom-out.
   for (const Trigger& trigger : package.triggers) {
     auto& at_N = trigger.release ? package.release_N : package.press_N;
     auto& at_mm = trigger.release ? package.release_mm : package.press_mm;
@@ -216,7 +216,7 @@ Json threshold(const std::optional<double>& force_N, const std::optional<double>
       {"force_N", *force_N}, {"force_g", inGrams(*force_N)}, {"displacement_mm", orNull(displacement_mm)}};
 }
 
-/// The figures under the names that data sheets of tact switches use.
+/// The key figures under the names used in data sheets of tact switches.
 Json tactFigures(const StatePackage& state) {
   Json figures{{"Fa_N", nullptr},
                {"Fra_N", nullptr},
@@ -245,7 +245,7 @@ Json coefficients(const BiquadCoefficients& c) {
   return {{"b0", c.b0}, {"b1", c.b1}, {"b2", c.b2}, {"a1", c.a1}, {"a2", c.a2}};
 }
 
-/// Filters behind the bursts, so that a reader can reproduce the engine's samples.
+/// The filters after the bursts, so that a reader can reproduce the engine's samples.
 Json chainOf(const HapticProgram& program, double sampleRate_Hz) {
   Json equalizer = Json::array();
   for (std::uint32_t i = 0; i < program.equalizerBandCount; ++i) {
@@ -358,7 +358,7 @@ Burst heard(Burst burst, const HapticProgram& program) {
   return burst;
 }
 
-/// A grain as strong as the filters leave a long one.
+/// A grain with the amplitude that remains of a long one after the filters.
 Burst heardGrain(const Burst& played, const ExportSource& source) {
   Burst grain = heard(played, source.program);
   const double rate_Hz = source.plan.sampleRate_Hz;
@@ -396,7 +396,7 @@ std::string cTriggers(std::size_t index, const StatePackage& state, const Haptic
             (std::string_view(t.kind) == "jump" ? "0" : "1") + ", " + cFloat(t.at_N) + ", " +
             cFloat(t.rearm_N) + ", " + cFloat(t.at_mm) + ", " + cFloat(t.rearm_mm) + ", " +
             cBurst(heard(t.burst, program)) + "},\n";
-  // C has no empty arrays: a trigger no force reaches.
+  // C has no empty arrays, so a trigger is written that no force reaches.
   if (state.triggers.empty())
     text += "  {0, 0, 1.0e30f, 0.0f, 1.0e30f, 0.0f, {0.0f, 0.0f, 0.0f, 0.0f, 0.0f}},\n";
   return text + "};\n";
@@ -547,8 +547,8 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
          ";\n" + cOrder(source.program) + "\n#endif\n";
 }
 
-/// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in
-/// place of the last.
+/// The press as a small device plays the header: without filters, grains with their amplitude after the
+/// filters, and each new grain replacing the previous one.
 std::vector<double> unfiltered(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   std::vector<double> samples(plan.samples.size(), 0);

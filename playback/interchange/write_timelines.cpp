@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time lines of phones and headsets: AHAP, .haptic, OpenXR, Android.
+// Writes time lines for phones and headsets: AHAP, .haptic, OpenXR, Android.
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ AhapEvent continuous(std::int64_t from, std::int64_t to, double amplitude, doubl
   return {false, from, to, rounded(std::sqrt(amplitude), 1e-6), rounded(sharpnessOf(frequency_Hz), 1e-6)};
 }
 
-/// A burst's own envelope in steps of one intensity each.
+/// Adds a burst's own envelope as steps of constant intensity.
 void addBurst(const PlannedBurst& planned, double sampleRate_Hz, std::vector<AhapEvent>& events) {
   const double length = planned.burst.duration_s * sampleRate_Hz;
   const auto count = std::max<std::int64_t>(1, std::llround(planned.burst.duration_s / ahapStep_s));
@@ -101,7 +101,7 @@ AhapPart ahapPart(const PressPlan& plan, const Stretch& stretch) {
   return part;
 }
 
-/// Each event begins a sine of its own.
+/// Each event starts its own sine.
 std::vector<PlayedWave> wavesOf(const AhapPart& part, double sampleRate_Hz) {
   std::vector<PlayedWave> waves;
   for (const AhapEvent& event : part.events) {
@@ -151,7 +151,7 @@ constexpr double envelopeStep_s = 0.005;
 
 struct OneVoice {
   std::int64_t zero = 0;
-  std::vector<WavePoint> points;  ///< from `zero`, as written
+  std::vector<WavePoint> points;  ///< relative to `zero`, as written
 };
 
 double clampedAmplitude(double amplitude) { return rounded(std::clamp(amplitude, 0.0, 1.0), 1e-6); }
@@ -160,7 +160,8 @@ std::string hapticText(const ExportSource& source, const OneVoice& voice, const 
   Json amplitude = Json::array(), frequency = Json::array();
   for (const WavePoint& point : voice.points) {
     amplitude.push_back({{"time", point.time_s}, {"amplitude", point.amplitude}});
-    // Converters make the root of it a sharpness (NiceVibrations' own pairs of .haptic and .ahap).
+    // Converters compute the sharpness as its square root (see NiceVibrations' own pairs of .haptic and
+    // .ahap).
     const double sharpness = sharpnessOf(point.frequency_Hz);
     frequency.push_back({{"time", point.time_s}, {"frequency", sharpness * sharpness}});
   }
@@ -187,7 +188,8 @@ double openxrValue(double frequency_Hz) {
 
 std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-/// Points on the line between their neighbours in level and frequency are dropped: silence costs no points.
+/// Drops points whose level and frequency lie on the line between their neighbours, so that silence needs no
+/// points.
 std::vector<WavePoint> withoutMiddles(const std::vector<WavePoint>& points) {
   const auto same = [](const WavePoint& a, const WavePoint& b) {
     return a.amplitude == b.amplitude && a.frequency_Hz == b.frequency_Hz;
@@ -200,7 +202,7 @@ std::vector<WavePoint> withoutMiddles(const std::vector<WavePoint>& points) {
   return kept;
 }
 
-/// Frequencies change at steps only: where they do not, a point would say nothing.
+/// Frequencies change only at steps; elsewhere a point would add nothing.
 std::vector<WavePoint> turningPoints(const std::vector<WavePoint>& points) {
   std::vector<WavePoint> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -251,7 +253,7 @@ std::string openxrInitializer(const ExportSource& source, const OneVoice& voice,
          "  XR_HAPTIC_PARAMETRIC_STREAM_FRAME_TYPE_NONE_EXT};\n";
 }
 
-/// Steps of frequency need two points; players want times that rise.
+/// Moves points apart: steps of frequency need two points, and players require increasing times.
 void spread(std::vector<WavePoint>& points, double apart_s) {
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].time_s < points[i - 1].time_s + apart_s) points[i].time_s = points[i - 1].time_s + apart_s;
@@ -291,8 +293,8 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
 
 constexpr std::size_t androidPoints = 16;
 constexpr int androidStep_ms = 20,
-              androidLongest_ms = 1000;  // what every device takes from one point to the next
-constexpr double androidTiming_ms = 1;   // by which an envelope may move a jump or bottom-out
+              androidLongest_ms = 1000;  // longest duration between two points that every device accepts
+constexpr double androidTiming_ms = 1;   // by which an envelope may shift a jump or bottom-out
 
 struct AndroidPoint {
   double amplitude = 0, frequency_Hz = 0;
@@ -306,7 +308,7 @@ struct AndroidEnvelope {
 };
 
 struct AndroidPart {
-  AndroidEnvelope envelope;  ///< without points: none that keeps the moments
+  AndroidEnvelope envelope;  ///< without points if none keeps the times of the onsets
   TimedLevels levels;
 
   const std::vector<std::int64_t>& onsets() const {
@@ -314,8 +316,8 @@ struct AndroidPart {
   }
 };
 
-/// The coarsest steps that fit: 20 ms, or as long as 15 of them need. None where so many jumps begin that
-/// they do not.
+/// The coarsest steps that fit: 20 ms, or as long as needed to have 15 of them. None if there are too many
+/// jumps.
 std::vector<EnvelopeStep> androidSteps(const PressPlan& plan, const Stretch& stretch) {
   for (double step_s = androidStep_ms / 1000.0;; step_s *= 1.25) {
     std::vector<EnvelopeStep> steps = stepsOf(plan, stretch, step_s, androidStep_ms / 1000.0);
@@ -339,7 +341,7 @@ AndroidEnvelope androidEnvelope(const PressPlan& plan, const Stretch& all) {
     last_ms = end_ms;
   }
   if (!envelope.points.empty())
-    envelope.points.back().amplitude = 0;  // the builder refuses what does not end at rest
+    envelope.points.back().amplitude = 0;  // the builder refuses an envelope that does not end at rest
   return envelope;
 }
 
@@ -364,7 +366,7 @@ PlayedWave waveOf(const AndroidPart& part, double sampleRate_Hz) {
   return wave;
 }
 
-/// Neighbours of one level as one. Where a jump begins the level rises, so none is lost.
+/// Joins neighbours with equal level. At a jump the level increases, so none is lost.
 std::vector<TimedLevels::Level> withoutRepeats(const std::vector<TimedLevels::Level>& levels) {
   std::vector<TimedLevels::Level> kept;
   for (const TimedLevels::Level& level : levels) {
@@ -377,11 +379,11 @@ std::vector<TimedLevels::Level> withoutRepeats(const std::vector<TimedLevels::Le
 }
 
 struct KotlinWaveform {
-  std::string functions;  ///< that hold a part of a long list each
+  std::string functions;  ///< functions that contain a part of a long list each
   std::string call;
 };
 
-/// A method of the Java virtual machine has at most 64 KB of code, 8 bytes for each number of a list.
+/// A method of the Java virtual machine has at most 64 KB of code, with 8 bytes for each number in a list.
 KotlinWaveform kotlinLevels(const std::string& name, const TimedLevels& timed) {
   constexpr std::size_t mostNumbers = 2000;  // of a list within one function
   const std::vector<TimedLevels::Level> levels = withoutRepeats(timed.levels);
@@ -512,7 +514,8 @@ Reduction openxrOf(const ExportSource& source) {
     take();
     if (voice.points.size() <= openxrPoints) break;
   }
-  // A longer press is kept up to where the points are used up, at most three per step; its jumps never move.
+  // If the points are used up, a longer press is stored up to there. Each step needs at most three; jumps
+  // never move.
   while (voice.points.size() > openxrPoints) {
     steps.resize(steps.size() - (voice.points.size() - openxrPoints + 2) / 3);
     take();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A key of a magnetic keyboard as firmware keeps it: fixed points, or rapid trigger.
+// A key of a magnetic keyboard as its firmware evaluates it: with fixed points, or with rapid trigger.
 
 #include <optional>
 
@@ -8,19 +8,20 @@ namespace detent::playback {
 
 /// Settings of one key. Displacements from rest.
 struct MagneticKeySettings {
-  double actuate_mm = 2, reset_mm = 1.8;  ///< reset below actuate
-  std::optional<double>
-      rapid_mm;  ///< rapid trigger: opens so far above the deepest place, closes so far below the highest
+  double actuate_mm = 2, reset_mm = 1.8;  ///< the reset point lies above the actuation point
+  /// rapid trigger: distance above the deepest point at which it opens, and below the highest at which it
+  /// closes
+  std::optional<double> rapid_mm;
   double scan_s = 0.001;  ///< > 0
 };
 
-/// One key, which gets its displacement once per scan. With rapid trigger it closes below the actuation point
-/// only, and opens at the reset point at the latest.
+/// One key, which receives its displacement once per scan. With rapid trigger it closes only below the
+/// actuation point, and opens at the reset point at the latest.
 class MagneticKey {
  public:
   explicit MagneticKey(const MagneticKeySettings& settings) : settings_(settings) {}
 
-  /// True where the key has just closed.
+  /// Returns true if the key has just closed.
   bool follow(double displacement_mm);
   bool closed() const { return closed_; }
 

@@ -16,11 +16,12 @@ constexpr double mostNoise = 1e6;
 
 constexpr double magnetRadius_mm = 1.5, magnetLength_mm = 2, gap_mm = 1.2;
 constexpr double restReading = 2048,
-                 swingReading = 1900;  // of 4096: half the scale, and what is used of the other half
+                 // of 4096: rest at half of the scale, and the used part of the upper half
+    swingReading = 1900;
 constexpr int assumedPieces = 64;
 
-/// Field of a cylinder magnet on its axis, `distance_mm` before its face, as a share of what its material
-/// could give.
+/// Field of a cylinder magnet on its axis, `distance_mm` in front of its face, as a share of its material's
+/// remanence.
 double fieldAt(double distance_mm) {
   const auto end = [](double z_mm) { return z_mm / std::hypot(z_mm, magnetRadius_mm); };
   return 0.5 * (end(distance_mm + magnetLength_mm) - end(distance_mm));
@@ -30,7 +31,7 @@ Failure unusable(const std::string& subject, Message place, Message problem, Rem
   return {FailureCode::unreadableInput, subject, std::move(place), std::move(problem), std::move(remedies)};
 }
 
-/// The two pairs between which, or beyond which, a value lies.
+/// The two pairs around a value, or the last two if it lies beyond them.
 template <typename Less>
 std::size_t pieceOf(const std::vector<SensorPair>& pairs, Less isBelow) {
   const auto above = std::partition_point(pairs.begin(), pairs.end(), isBelow);

@@ -11,22 +11,23 @@
 
 namespace detent::playback {
 
-/// One measured place.
+/// One measured point.
 struct SensorPair {
   double displacement_mm = 0, reading = 0;  ///< reading in counts of the converter
 };
 
-/// A reading for each place and back, straight between the pairs and on beyond them. Immutable; any thread.
+/// Converts displacements to readings and back, linear between the points and beyond them. Immutable; any
+/// thread.
 class MagneticSensor {
  public:
-  /// Failure unreadableInput about `subject`: fewer than two pairs, a value that is not finite, places that
-  /// do not rise, readings that do not run one way, or noise that is not in 0..1e6.
+  /// Failure unreadableInput about `subject`: fewer than two pairs, a value that is not finite, displacements
+  /// that do not increase, readings that are not monotone, or noise outside 0..1e6.
   static Result<MagneticSensor> fromPairs(std::vector<SensorPair> pairs, double noise,
                                           const std::string& subject);
   /// Pairs from a CSV with the header `displacement_mm,reading`.
   static Result<MagneticSensor> fromCsv(const std::string& file, double noise);
-  /// A magnet of 3 mm diameter and 2 mm length that comes to 1.2 mm above a 12 bit sensor at the end of
-  /// `travel_mm` (> 0), on its axis: of the usual size, measured on no switch.
+  /// A magnet of 3 mm diameter and 2 mm length that approaches a 12 bit sensor on its axis, up to 1.2 mm at
+  /// the end of `travel_mm` (> 0). A usual size; not measured on a switch.
   static MagneticSensor assumed(double travel_mm, double noise);
 
   double reading(double displacement_mm) const;

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double metre_mm = 1000;
 constexpr double held_s = 60, shallow_mm = 0.1;
-// A held finger trembles: 2 % of its force at 9 Hz, on the slope that is there.
+// Tremor of a held finger: 2 % of its force at 9 Hz, divided by the slope at that point.
 constexpr double tremorShare = 0.02, tremor_Hz = 9, flattest_N_per_mm = 0.05;
 constexpr std::uint64_t seed = 20;
 constexpr int noiseScores = 1024;
 
-/// The sensor as the firmware sees it: whole counts with noise, turned back into a place.
+/// The sensor as the firmware sees it: whole counts with noise, converted back to displacements.
 class Readings {
  public:
   explicit Readings(const MagneticSensor& sensor) : sensor_(sensor), random_(seed) {
@@ -36,7 +36,7 @@ class Readings {
  private:
   const MagneticSensor& sensor_;
   FixedRandom random_;
-  std::vector<double> noise_;  // counts, all equally often
+  std::vector<double> noise_;  // quantiles of the noise in counts, equally likely
 };
 
 int eventsOf(const std::vector<double>& press_mm, Readings& readings, const MagneticKeySettings& settings) {
@@ -57,7 +57,7 @@ double trembles_mm(const StrokeCurve& press, double depth_mm) {
   return tremorShare * std::abs(press.force_N(depth_mm)) / std::max(std::abs(rise), flattest_N_per_mm);
 }
 
-/// Releases of a held key per minute at one depth.
+/// Number of openings per minute of a key held at one depth.
 double letsGo(const StrokeCurve& press, double depth_mm, Readings& readings,
               const MagneticKeySettings& settings) {
   const double amplitude_mm = trembles_mm(press, depth_mm);

@@ -24,7 +24,7 @@ double fromTable_mm(const TravelTable& table, double reading) {
          um_per_mm;
 }
 
-/// Names of buttons are any text; a C comment is not.
+/// A button's name may be any text, so characters that would end a C comment are replaced.
 std::string inComment(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -49,7 +49,7 @@ std::string simulatedLine(const MagneticKeyForecast& f) {
   return line;
 }
 
-/// C that reads the table between its entries, in whole numbers.
+/// C function that interpolates the table with integers.
 std::string placeFunction() {
   const std::string last = std::to_string(travelTableEntries - 1);
   return "/* Micrometres of a reading: straight between two entries. */\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tables for the firmware of a magnetic keyboard: reading to displacement, and the settings of the key.
+// Tables for the firmware of a magnetic keyboard: from reading to displacement, and the settings of the key.
 
 #include <string>
 #include <vector>
@@ -15,14 +15,15 @@ inline constexpr int travelTableEntries = 256;
 struct TravelTable {
   double restReading = 0, endReading = 0;
   std::vector<unsigned> travel_um;  ///< travelTableEntries
-  double worst_mm = 0;              ///< by which a place read from it, straight between entries, may be off
+  double worst_mm = 0;  ///< largest error of a displacement that is interpolated linearly in the table
 };
 TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm);
 
-/// `displacement_mm,reading,counts_per_mm,noise_mm`: 201 places of the travel.
+/// CSV `displacement_mm,reading,counts_per_mm,noise_mm`: 201 points of the travel.
 std::string sensorCsvFrom(const MagneticSensor& sensor, double travel_mm);
 
-/// C99 and C++: the table, the settings of `chosen`, and in its comment what was simulated. ASCII.
+/// C header for C99 and C++, ASCII: the table, the settings of `chosen`, and the simulated results in its
+/// comment.
 std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
                           const MagneticKeySettings& chosen,
                           const std::vector<MagneticKeyForecast>& simulated);

@@ -17,9 +17,9 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t fewestWeights = 3;
-constexpr std::size_t fewestReadings = 5;  // two coefficients, and an error that means something
+constexpr std::size_t fewestReadings = 5;  // for two coefficients and a meaningful error
 constexpr int risingChecks = 200;
-constexpr double heaviest_N = 1e7;  // the strongest force any button may have
+constexpr double heaviest_N = 1e7;  // limit of the force of any button
 
 struct Fit {
   SensorCalibration calibration;
@@ -50,10 +50,10 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(powers);
   qr.setThreshold(1e-9);
-  if (qr.rank() < columns) return {};  // the weights do not tell this degree from the lower one
+  if (qr.rank() < columns) return {};  // the weights do not distinguish this degree from the lower one
   const Eigen::VectorXd beta = qr.solve(forces);
   const double chi2 = (forces - powers * beta).squaredNorm();
-  // The scatter of few weights is known badly: Student's 68.3 % in place of one standard deviation.
+  // The scatter of few weights is known poorly, so Student's 68.3 % quantile replaces one standard deviation.
   const double error = std::sqrt(chi2 / static_cast<double>(n - m)) * studentQuantile(normalCdf(1), n - m);
   const Eigen::MatrixXd inverse =
       qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // its rows give the covariance
@@ -75,7 +75,7 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   }
   c.residual_N = std::sqrt(squares / static_cast<double>(n - m));
   if (!std::isfinite(c.residual_N))
-    return {};  // readings of no sensor: their powers leave the range of a double
+    return {};  // the readings are so extreme that their powers exceed the range of a double
   c.weights = n;
   const auto count = static_cast<double>(n), parameters = static_cast<double>(m + 1);
   if (count - parameters - 1 <= 0) return {};

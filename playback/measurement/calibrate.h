@@ -13,20 +13,20 @@ namespace detent::playback {
 /// One reading under a known force.
 struct KnownWeight {
   double force_N = 0;
-  double raw = 0;  ///< as the sensor sends it (mean over about a second)
+  double raw = 0;  ///< as sent by the sensor (mean over about a second)
 };
 
 struct CalibrationSettings {
   SensorCircuit circuit = SensorCircuit::divider;
   double fullScale_counts = 1023;
-  unsigned highestDegree = 3;     ///< 1..3; fewer where the weights do not support more
+  unsigned highestDegree = 3;     ///< 1..3; lower if the weights do not support more
   double relativeError = 0.02;    ///< of one reading (FSR 400: +-2 % single part); weights the fit; >= 0
   double absoluteError_N = 0.01;  ///< > 0
 };
 
-/// Chooses the polynomial degree with the least AICc whose curve rises over the range of the weights.
-/// Failure: unreadableInput for fewer than 3 different weights, readings that are no numbers, or a sensor
-/// that does not rise with force.
+/// Chooses the polynomial degree with the lowest AICc among the curves that increase over the range of the
+/// weights. Failure unreadableInput: fewer than 3 different weights, readings that are not numbers, or a
+/// sensor whose reading does not increase with force.
 Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
                                     const CalibrationSettings& settings);
 

@@ -16,7 +16,7 @@ namespace detent::playback {
 
 namespace {
 
-/// A number of the file and where it belongs.
+/// Name of a number in the file, and the member that stores it.
 struct Key {
   std::string_view name;
   double* value;

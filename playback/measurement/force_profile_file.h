@@ -19,14 +19,14 @@ struct ForceDeviceMeasurement {
   };
   std::string name;
   Value mass_kg, friction_N, damping_Ns_per_mm, delay_s, lag_s;
-  Value late_s;        ///< delay and lag together
-  double rate_Hz = 0;  ///< of the loop it was measured with: a host's delay holds one period of it
+  Value late_s;  ///< delay and lag together
+  /// rate of the loop that measured it: if a host runs the law, the delay contains one period
+  double rate_Hz = 0;
   double step_mm = 0;  ///< of the encoder
 };
 
-/// A profile that has the device's own mass, friction, damping, delay and lag. At a slower `rate_Hz` than
-/// that of the measurement the delay grows by the difference of their periods where a host runs the law
-/// (`hosted`).
+/// A profile with the device's own mass, friction, damping, delay and lag. If a host runs the law (`hosted`)
+/// at a slower `rate_Hz` than the measurement had, the delay increases by the difference of the periods.
 ForceDeviceProfile measuredProfile(ForceDeviceProfile profile, const ForceDeviceMeasurement& measured,
                                    double rate_Hz, bool hosted);
 

@@ -10,7 +10,7 @@ namespace detent::playback {
 
 namespace {
 
-/// Complex product without the standard operator's care for infinities, which costs most of a transform's
+/// Complex product without the standard operator's handling of infinities, which takes most of a transform's
 /// time.
 std::complex<double> product(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};

@@ -9,7 +9,7 @@ namespace detent::playback {
 
 enum class Transform { forward, inverse };
 
-/// Transforms of one length, for many of them: the roots of unity are computed once. Any thread.
+/// Transforms of one length, for repeated use: the roots of unity are computed once. Any thread.
 class Fourier {
  public:
   explicit Fourier(std::size_t length);  ///< a power of two

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t mostSections = 32;
 constexpr int perSection = 3;  // logarithms of frequency and Q, height in dB
-constexpr int ofLevel = 3;     // a parabola over the octaves
+constexpr int ofLevel = 3;     // level: a parabola over the octaves
 constexpr double keptRms_dB = 3, keptPlace = 0.1;
 
 /// Gain of a peaking section (realtime/biquad.h), dB, at the angle of `cosine` and `sine`.
@@ -31,7 +31,8 @@ T sectionGain_dB(double cosine, double sine, double sampleRate_Hz, const T& logF
   return (10 / std::numbers::ln10) * log((beside * beside + up * up) / (beside * beside + down * down));
 }
 
-/// Residuals of a response after a set of sections, in the form that Ceres' solver for small problems needs.
+/// Residuals of a response after subtracting a set of sections, in the form of Ceres' solver for small
+/// problems.
 class Leftover {
  public:
   using Scalar = double;
@@ -43,7 +44,7 @@ class Leftover {
     const double middle_Hz = std::sqrt(frequency_Hz.front() * frequency_Hz.back());
     for (std::size_t i = 0; i < frequency_Hz.size(); ++i) {
       const double angle = 2 * std::numbers::pi * frequency_Hz[i] / sampleRate_Hz;
-      // A sweep stays at a frequency in inverse proportion to it, so the variance of the noise is
+      // A sweep spends time at each frequency in inverse proportion to it, so the variance of the noise is
       // proportional to the frequency.
       const double weight = std::sqrt(middle_Hz / frequency_Hz[i]);
       places_.push_back(
@@ -77,8 +78,8 @@ class Leftover {
     return true;
   }
 
-  /// Places far off the rest (hum, a lost block) count less: 1 within three times the usual residual, falling
-  /// beyond (Huber).
+  /// Reduces the weight of frequencies with large residuals (hum, a lost block): 1 within three times the
+  /// usual residual, decreasing beyond (Huber).
   void holdDown(const Eigen::VectorXd& left) {
     std::vector<double> sizes(left.data(), left.data() + left.size());
     for (double& size : sizes) size = std::fabs(size);
@@ -112,7 +113,8 @@ Eigen::VectorXd startOf(const std::vector<Resonance>& start, const std::vector<d
   return at;
 }
 
-/// Number of neighbouring residuals that share one error: twice their correlation, summed until it vanishes.
+/// Number of neighbouring residuals that share one error: twice the sum of their correlations, up to where it
+/// vanishes.
 double alikeInARow(const Eigen::VectorXd& left) {
   const double all = left.squaredNorm();
   const Eigen::Index n = left.size();
@@ -125,10 +127,10 @@ double alikeInARow(const Eigen::VectorXd& left) {
   return row;
 }
 
-/// The mean square of the residuals around each of them.
+/// The mean square of the residuals around each frequency.
 Eigen::VectorXd varianceAround(const Eigen::VectorXd& left) {
   constexpr Eigen::Index reach =
-      24;  // bins to either side: far more than say the same, far fewer than a resonance has
+      24;  // bins on either side: far more than share one error, far fewer than a resonance has
   const Eigen::Index n = left.size();
   Eigen::VectorXd variance(n);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// All peaking sections of a response at one common minimum: skirts of neighbours, the level they stand on and
-// the heights themselves share every frequency, so none is read off a peak alone.
+// Fits all peaking sections of a response together. The skirts of neighbouring peaks, the level between them
+// and their heights influence every frequency, so no value can be read from a single peak.
 // docs/develop/decisions/0916-fitting-resonances.md
 
 #include <optional>
@@ -19,14 +19,14 @@ struct ResonanceErrors {
 struct JointSections {
   std::vector<Resonance> resonances;  ///< strongest first; gain above the level beside them
   std::vector<ResonanceErrors>
-      errors;  ///< one each: from what the sections leave over, neighbours taken as one where they agree
-  double rms_dB = 0;  ///< left over
+      errors;         ///< one each, from the residuals; neighbouring residuals that agree count as one
+  double rms_dB = 0;  ///< of the residuals
 };
 
-/// `frequency_Hz` rising and > 0, `gain_dB` as many; `start`: what stands out, at most 32. Level and slope of
-/// the rest are found along with it. Empty where the response is no sum of such sections: none was given, too
-/// few points, no minimum, one that left its place (a tenth of its frequency, a height below 0), or 3 dB left
-/// over. Deterministic; any thread.
+/// `frequency_Hz` increasing and > 0, `gain_dB` as many; `start`: first estimates of the peaks, at most 32.
+/// Level and slope of the remaining response are fitted too. Empty if the response is no sum of such
+/// sections: no start value, too few points, no minimum, a section that left its start value (by a tenth of
+/// its frequency, or with a height below 0), or residuals of 3 dB. Deterministic; any thread.
 std::optional<JointSections> fitSectionsTogether(const std::vector<double>& frequency_Hz,
                                                  const std::vector<double>& gain_dB,
                                                  const std::vector<Resonance>& start, double sampleRate_Hz);

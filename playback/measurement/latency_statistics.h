@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Statistics of measured delays, as Kim & Lee state them ("about 51.12ms (N = 50, SD = 1.65)"), and more
-// that they leave out.
+// Statistics of measured delays, as Kim & Lee state them ("about 51.12ms (N = 50, SD = 1.65)"), and further
+// ones.
 
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ struct LatencyStatistics {
 /// Percentiles by linear interpolation between order statistics; SD with n - 1.
 LatencyStatistics statisticsOf(std::vector<double> delays_s, std::size_t lost);
 
-/// Rows of '#', one per bin of `bins` (>= 1) between min and max, with the bin's lower edge in ms and its
+/// Lines of '#', one per bin (`bins` >= 1) between min and max, with the bin's lower edge in ms and its
 /// count.
 std::string histogram(const LatencyStatistics& statistics, int bins);
 

@@ -15,7 +15,7 @@ double normalQuantile(double p) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (p <= 0) return -infinity;
   if (p >= 1) return infinity;
-  constexpr double farthest = 40;  // beyond, the distribution is 0 or 1 to the last bit
+  constexpr double farthest = 40;  // beyond this the distribution is exactly 0 or 1
   return whereRisingPasses(p, -farthest, farthest, normalCdf);
 }
 
@@ -36,7 +36,7 @@ double studentQuantile(double p, std::size_t degrees) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (p <= 0) return -infinity;
   if (p >= 1) return infinity;
-  constexpr double farthest = 1e9;  // one degree of freedom has heavy tails
+  constexpr double farthest = 1e9;  // large, because one degree of freedom has heavy tails
   return whereRisingPasses(p, -farthest, farthest, [degrees](double t) { return studentCdf(t, degrees); });
 }
 

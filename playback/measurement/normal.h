@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The normal distribution, and Student's, which takes its place where the spread is estimated from few
-// values. Any thread.
+// The normal distribution, and Student's for a spread that was estimated from few values. Any thread.
 
 #include <cstddef>
 

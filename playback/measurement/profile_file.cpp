@@ -15,10 +15,10 @@ namespace detent::playback {
 
 namespace {
 
-/// Reads the lines one by one into a profile.
+/// Reads the lines of a profile one by one.
 class Reader {
  public:
-  /// The fault of the line; empty if none.
+  /// The error of the line; empty if there is none.
   Message line(std::string_view key, std::string_view value) {
     const bool repeats = key == "resonance" || key == "equalizer";
     if (!repeats && !seen_.insert(std::string(key)).second) return Message("is given twice");

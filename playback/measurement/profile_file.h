@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Device profiles as text files (docs/reference/device-profile.md): one "key = value" per line, so that a
-// person can read, correct and compare them.
+// person can read, edit and compare them.
 
 #include <filesystem>
 #include <string>
@@ -18,8 +18,8 @@ inline constexpr auto sensorCircuits = named<SensorCircuit>({{"newtons", SensorC
 
 inline constexpr int deviceProfileVersion = 1;
 
-/// Failure names the line. Unknown keys and newer versions are refused: a typing error must not pass as a
-/// default.
+/// Failure names the line. Unknown keys and newer versions are refused, so that a typing error is not
+/// silently ignored.
 Result<DeviceProfile> parseDeviceProfile(const std::string& text, const std::string& name);
 Result<DeviceProfile> readDeviceProfile(const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@ namespace detent::playback {
 
 namespace {
 
-/// The fault of the first line; empty if none.
+/// The error of the first line; empty if there is none.
 Message wrongWithFirst(std::string_view line, const ProfileKind& kind) {
   std::vector<double> version;
   if (!line.starts_with(kind.magic) || !numbersOf(line.substr(kind.magic.size()), version) ||

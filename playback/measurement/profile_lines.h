@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Text files of one "key = value" per line, under a first line that says what they are and of which version.
+// Text files with one "key = value" per line, below a first line that states kind and version.
 
 #include <functional>
 #include <string>
@@ -15,17 +15,17 @@ inline constexpr std::size_t largestProfile_bytes = 1 << 20;
 
 struct ProfileKind {
   std::string_view magic;  ///< first word of the first line
-  int version = 1;         ///< newest that is read
+  int version = 1;         ///< newest version that can be read
   Message what;            ///< "a device profile"
 };
 
-/// Comments (#) and blank lines are passed over. `line` gives what is wrong with a line, empty if nothing.
-/// Failure unreadableInput names the line.
+/// Skips comments (#) and blank lines. `line` returns the error of a line, empty if there is none. Failure
+/// unreadableInput names the line.
 Result<Done> readProfileLines(
     const std::string& text, const std::string& name, const ProfileKind& kind,
     const std::function<Message(std::string_view key, std::string_view value)>& line);
 
-/// All numbers of a value; false if something else stands there.
+/// All numbers of a value; returns false if it contains anything else.
 bool numbersOf(std::string_view text, std::vector<double>& numbers);
 
 }  // namespace detent::playback

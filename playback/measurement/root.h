@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where a rising function passes a value.
+// Finds where an increasing function passes a value.
 
 namespace detent::playback {
 
-/// The x in [low, high] at which the rising `f` passes `target`, to the last bit that halving reaches; the
-/// nearer end where it does not.
+/// The x in [low, high] at which the increasing `f` passes `target`, by bisection to the last bit; the nearer
+/// end if it does not pass it.
 template <class Function>
 double whereRisingPasses(double target, double low, double high, const Function& f) {
   constexpr int halvings = 200;

@@ -14,9 +14,10 @@ namespace detent::playback {
 namespace {
 
 constexpr double stopBand_dB = 80;
-constexpr double ratePerBand = 2.6;  // the reduced rate over highest_Hz: 2 plus room for the filter
-constexpr std::size_t padding = 3;   // bins per window width: what the eye reads between is there
-constexpr double kaiserBeta = 0.1102 * (stopBand_dB - 8.7);  // Kaiser, for more than 50 dB
+constexpr double ratePerBand = 2.6;  // the reduced rate relative to highest_Hz: 2, plus room for the filter
+constexpr std::size_t padding = 3;   // bins per window width: enough for smooth interpolation on a display
+// of a Kaiser window for a stop band of more than 50 dB
+constexpr double kaiserBeta = 0.1102 * (stopBand_dB - 8.7);
 
 double besselI0(double x) {
   double sum = 1, term = 1;
@@ -27,11 +28,11 @@ double besselI0(double x) {
   return sum;
 }
 
-/// Low-pass with its pass band up to `pass_Hz`; aliases of a rate reduced to `reduced_Hz` begin beyond it.
+/// Low-pass that passes up to `pass_Hz` and blocks what would alias at a rate of `reduced_Hz`.
 std::vector<double> antiAlias(double pass_Hz, double reduced_Hz, double sampleRate_Hz) {
   const double transition = 2 * std::numbers::pi * (reduced_Hz - 2 * pass_Hz) / sampleRate_Hz;
   const auto half = static_cast<std::ptrdiff_t>(std::ceil((stopBand_dB - 8) / (2.285 * transition) / 2));
-  const double cutoff = reduced_Hz / 2 / sampleRate_Hz;  // the middle of the transition
+  const double cutoff = reduced_Hz / 2 / sampleRate_Hz;  // the middle of the transition band
   std::vector<double> taps;
   double sum = 0;
   for (std::ptrdiff_t i = -half; i <= half; ++i) {
@@ -108,14 +109,14 @@ Spectrogram spectrogramOf(const std::vector<float>& samples, double sampleRate_H
   result.rows = static_cast<std::size_t>(std::floor(settings.highest_Hz / result.row_Hz)) + 1;
   result.columns = signal.empty() ? 0 : (signal.size() - 1) / hop + 1;
   result.level_dB.resize(result.columns * result.rows);
-  // Value `i` of the window that is centred at sample `centre`; silence outside the signal.
+  // Value `i` of the window centred at sample `centre`; silence outside the signal.
   const auto windowed = [&](std::size_t centre, std::size_t i) {
     const std::size_t at = centre + i;  // shifted by half a window
     if (i >= length || at < length / 2 || at - length / 2 >= signal.size()) return 0.0;
     return window[i] * signal[at - length / 2];
   };
-  // Two columns in one transform, one in the real part, one in the imaginary part; the symmetry of real
-  // signals' spectra takes them apart again.
+  // Two columns are computed by one transform, as its real and imaginary part; the symmetry of real signals'
+  // spectra separates them.
   const Fourier fourier(size);
   const double perFullScale = 1 / (4 * gain * gain);
   std::vector<std::complex<double>> bins(size);

@@ -15,15 +15,15 @@ namespace detent::playback {
 namespace {
 
 constexpr double fade_s = 0.02;
-constexpr double responseLength_s = 0.8;  // of the impulse response that is kept: 1.25 Hz resolution
+constexpr double responseLength_s = 0.8;  // length of the impulse response that is kept: 1.25 Hz resolution
 constexpr double wholeShare = 0.5;        // of that length, before it fades out
 constexpr double beforePeak_s = 0.01;
 constexpr double stepsPerOctave = 24;
 constexpr double regularisation = 1e-6;  // of the sweep's strongest bin
-constexpr double faintest_dB = 20;       // the response's peak over the rest of the deconvolution
+constexpr double faintest_dB = 20;  // least height of the response's peak over the rest of the deconvolution
 
-// Lost sound (dropoutsIn). A block of 256 samples is 5 ms; half the expected level is more than distortion
-// makes.
+// For finding lost sound (dropoutsIn). A block of 256 samples is 5 ms; a deviation of half the expected level
+// exceeds distortion.
 constexpr double step_s = 0.005, around_s = 0.05;
 constexpr double lostShare = 0.5, overOrdinary = 6;
 
@@ -36,7 +36,7 @@ Spectrum spectrumOf(const std::vector<float>& samples, std::size_t size) {
   return s;
 }
 
-/// Height of a peak over the higher of its two valleys.
+/// Height of a peak above the higher of its two valleys.
 double prominenceOf(const std::vector<double>& gain, std::size_t peak) {
   const auto valley = [&](int step) {
     double lowest = gain[peak];
@@ -51,7 +51,7 @@ double prominenceOf(const std::vector<double>& gain, std::size_t peak) {
   return gain[peak] - std::max(valley(-1), valley(1));
 }
 
-/// Width of a peak `depth_dB` below its top, as a share of its frequency.
+/// Width of a peak `depth_dB` below its top, relative to its frequency.
 double widthOf(const FrequencyResponse& r, std::size_t peak, double depth_dB) {
   const double bar = r.gain_dB[peak] - depth_dB;
   const auto crossing = [&](int step) {
@@ -68,9 +68,9 @@ double widthOf(const FrequencyResponse& r, std::size_t peak, double depth_dB) {
   return (crossing(1) - crossing(-1)) / r.frequency_Hz[peak];
 }
 
-/// Q of the peaking section (biquad.h) that has this peak's height and, `depth_dB` below its top, its width.
-/// At half the height it is the inverse of the width; nearer to the top a section of 14 dB is less than half
-/// as wide as a plain resonance of its Q.
+/// Q of the peaking section (biquad.h) with this peak's height and, `depth_dB` below its top, this width. At
+/// half the height, Q is the inverse of the width; nearer to the top, a section of 14 dB is less than half as
+/// wide as a plain resonance with the same Q.
 double qualityOf(double width, double height_dB, double depth_dB) {
   const double height = std::pow(10, height_dB / 20),
                share = std::pow(10, -depth_dB / 10);  // amplitude; power
@@ -78,8 +78,8 @@ double qualityOf(double width, double height_dB, double depth_dB) {
   return width > 0 ? std::clamp(q, 0.3, 100.0) : 100;
 }
 
-/// Window over the impulse response: within a band of 1 kHz its part before time 0 is whole, and so are the
-/// first oscillations.
+/// Window over the impulse response. Within a band of 1 kHz it keeps the part before time 0 and the first
+/// oscillations unchanged.
 double windowAt(std::size_t i, std::size_t length, std::size_t before) {
   const auto faded = [](double share) {
     return 0.5 * (1 - std::cos(std::numbers::pi * std::clamp(share, 0.0, 1.0)));
@@ -88,7 +88,7 @@ double windowAt(std::size_t i, std::size_t length, std::size_t before) {
   return std::min(faded(along / in), faded((1 - along / static_cast<double>(length)) / (1 - wholeShare)));
 }
 
-/// Peaks and their forms, each by itself.
+/// Finds the peaks and their shapes, each separately.
 void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
   std::vector<double> sorted = r.gain_dB;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
@@ -97,7 +97,7 @@ void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
     if (!(r.gain_dB[i] > r.gain_dB[i - 1] && r.gain_dB[i] >= r.gain_dB[i + 1])) continue;
     const double prominence_dB = prominenceOf(r.gain_dB, i);
     if (prominence_dB < settings.resonanceProminence_dB) continue;
-    // Parabola through the three highest points, in log frequency.
+    // Top of the parabola through the three highest points, over log frequency.
     const double a = r.gain_dB[i - 1], b = r.gain_dB[i], c = r.gain_dB[i + 1];
     const double shift = std::clamp(0.5 * (a - c) / (a - 2 * b + c), -0.5, 0.5);
     Resonance found;
@@ -111,11 +111,12 @@ void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
             [](const Resonance& x, const Resonance& y) { return x.gain_dB > y.gain_dB; });
 }
 
-/// The same resonances at one common minimum, over the bins themselves.
+/// Fits the same resonances together, over all bins.
 void fitResonances(FrequencyResponse& r, const Spectrum& response, double binWidth_Hz,
                    const SweepSettings& settings) {
   std::vector<double> frequency_Hz, gain_dB;
-  const double low = settings.from_Hz * 1.1, high = settings.to_Hz / 1.05;  // the sweep's edges leak
+  // near the sweep's ends the spectrum leaks
+  const double low = settings.from_Hz * 1.1, high = settings.to_Hz / 1.05;
   for (auto bin = static_cast<std::size_t>(std::ceil(low / binWidth_Hz));
        static_cast<double>(bin) * binWidth_Hz <= high; ++bin) {
     frequency_Hz.push_back(static_cast<double>(bin) * binWidth_Hz);
@@ -131,7 +132,7 @@ double rootMeanSquare(const std::vector<double>& squaresUpTo, std::size_t from, 
   return std::sqrt(std::max(0.0, squaresUpTo[to] - squaresUpTo[from]) / static_cast<double>(to - from));
 }
 
-/// Running sums of squares: `value(i)` for i < n.
+/// Running sums of the squares of `value(i)` for i < n.
 template <class Value>
 std::vector<double> sumsOfSquares(std::size_t n, Value value) {
   std::vector<double> sums(n + 1, 0);
@@ -139,8 +140,7 @@ std::vector<double> sumsOfSquares(std::size_t n, Value value) {
   return sums;
 }
 
-/// Times at which the recording departs from `expected` by half its level and far more than it ordinarily
-/// does.
+/// Times at which the recording differs from `expected` by half its level and far more than it usually does.
 std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectrum& expected,
                                double sampleRate_Hz) {
   const std::size_t n = recorded.size();
@@ -152,7 +152,7 @@ std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectru
   std::vector<double> rests;
   for (std::size_t i = 0; i + width <= n; i += width) rests.push_back(rootMeanSquare(rest, i, i + width));
   if (rests.empty()) return {};
-  // Residue of noise and distortion: at least a quarter of the recording is intact.
+  // The usual deviation by noise and distortion, assuming that at least a quarter of the recording is intact.
   std::vector<double> sorted = rests;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 4), sorted.end());
   const double ordinary = sorted[sorted.size() / 4];
@@ -201,8 +201,8 @@ Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const s
     h[i] = h[i] * std::conj(x[i]) / (std::norm(x[i]) + regularisation * strongest);
   transform(h, Transform::inverse);
 
-  // The sound path only delays: the response starts in the first part; distortion stands before time 0, at
-  // the end.
+  // The sound path only delays, so the response starts in the first part; distortion appears before time 0,
+  // at the end.
   const auto latest = static_cast<std::size_t>(settings.silence_s * settings.sampleRate_Hz);
   std::size_t peak = 0;
   double all = 0;

@@ -17,10 +17,11 @@ struct SweepSettings {
   double sampleRate_Hz = 48000;
   double from_Hz = 10, to_Hz = 1000;  ///< K&L, Apparatus; 0 < from < to < sampleRate / 2
   double duration_s = 10;             ///< (0.5, 120]
-  double silence_s = 1;  ///< after the sweep, for the device to ring out and for the sound path's delay
-  double level = 0.5;    ///< of full scale; (0, 1]
-  double resonanceProminence_dB = 3;  ///< how far a peak stands above its valleys
-  double highestCut_dB = 12;          ///< equalizer bands cut at most this much
+  /// silence after the sweep, for the ringing of the device and the delay of the sound path
+  double silence_s = 1;
+  double level = 0.5;                 ///< of full scale; (0, 1]
+  double resonanceProminence_dB = 3;  ///< height of a peak above its valleys from which it counts
+  double highestCut_dB = 12;          ///< equalizer bands attenuate at most this much
 };
 
 /// The samples to play.
@@ -28,29 +29,30 @@ std::vector<float> sweepSignal(const SweepSettings& settings);
 
 struct FrequencyResponse {
   std::vector<double> frequency_Hz;   ///< 1/24-octave steps, from_Hz to to_Hz
-  std::vector<double> gain_dB;        ///< recorded over played
+  std::vector<double> gain_dB;        ///< ratio of recorded to played
   std::vector<Resonance> resonances;  ///< strongest first
   std::vector<ResonanceErrors>
-      errors;  ///< one each; empty where the peaks are no sum of sections, and each was measured alone
+      errors;  ///< one each; empty if the peaks are no sum of sections, so that each was measured alone
   double delay_s = 0;  ///< of the sound path
   std::vector<double>
-      dropouts_s;  ///< where the recording is not what this device makes of the sweep: sound was lost
+      dropouts_s;  ///< times at which the recording differs from the expected response: sound was lost
 };
 
-/// `recorded` as long as `played`. Failure: notCertain when nothing of the sweep is in the recording.
+/// `recorded` has the length of `played`. Failure notCertain: the recording does not contain the sweep.
 Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const std::vector<float>& recorded,
                                        const SweepSettings& settings);
 
-/// Two sweeps of one device gave the same: as many resonances, each within 3 % and 2 dB, and gains that
-/// differ by less than 1 dB in the median. A dropout, or a machine too busy to play, makes them differ.
+/// Returns true if two sweeps of one device gave the same result: equally many resonances, each within 3 %
+/// and 2 dB, and gains with a median difference below 1 dB. Dropouts, or a machine too busy to play, cause
+/// differences.
 bool agree(const FrequencyResponse& a, const FrequencyResponse& b);
 
-/// Level in dB above threshold (felt_level.h) of a sine of full scale at 250 Hz beside the resonances, where
-/// the recorder's full scale is `inputFullScale_m_per_s2` (> 0) of acceleration.
+/// Level in dB above threshold (felt_level.h) of a sine of full scale at 250 Hz, without the resonances.
+/// `inputFullScale_m_per_s2` (> 0): acceleration at the recorder's full scale.
 double fullScaleLevel_dB(const FrequencyResponse& response, const SweepSettings& settings,
                          double inputFullScale_m_per_s2);
 
-/// Puts resonances and the equalizer that flattens them into a profile.
+/// Adds the resonances, and an equalizer that flattens them, to a profile.
 void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile);
 
 std::string responseCsv(const FrequencyResponse& response);

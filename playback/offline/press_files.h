@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Presses and their sound as files, and sound files of others. Apart from render_press.h because what renders
-// a press in a browser has no files.
+// Presses and their sound as files, and sound files from other programs. Separate from render_press.h,
+// because rendering in a browser has no files.
 
 #include <filesystem>
 #include <vector>
@@ -22,9 +22,9 @@ struct ExpectedSize {
 ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& settings,
                           const std::filesystem::path& file);
 
-/// The same into a mono WAV, or FLAC, by the file's ending; a WAV that would pass 4 GiB becomes an RF64.
-/// Written beside the target and renamed, so that the target is never half written. Failure: wrongUsage for
-/// another ending, or float samples in a FLAC; unreadableInput where the file cannot be written.
+/// Renders into a mono WAV or FLAC file, by the file's extension; a WAV larger than 4 GiB becomes an RF64.
+/// Written beside the target and renamed, so that the target is never incomplete. Failure: wrongUsage for
+/// another extension, or float samples in a FLAC; unreadableInput if the file cannot be written.
 Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
                                         const RenderSettings& settings, const std::filesystem::path& file);
 
@@ -35,15 +35,16 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 /// One channel of sound.
 struct SoundSamples {
   double sampleRate_Hz = 0;
-  int channels = 1;  ///< of the file; `samples` is their mean
-  int onlyChannel =
-      0;  ///< from 1: the strongest, kept alone where channels of opposite sign cancel each other; else 0
+  int channels = 1;  ///< of the file; `samples` is the mean of its channels
+  /// from 1: the strongest channel, used alone because channels of opposite sign cancel each other;
+  /// otherwise 0
+  int onlyChannel = 0;
   std::vector<float> samples;  ///< full scale is 1; at least one, all finite
 };
 
-/// WAV, AIFF, AU, CAF, W64, FLAC, Ogg and what else libsndfile reads, at 8000 to 192000 Hz, of at most
-/// `longest_s`. Failure unreadableInput: not there, no sound, cut off, longer, or with a sample that is no
-/// number.
+/// Reads WAV, AIFF, AU, CAF, W64, FLAC, Ogg and other formats of libsndfile, at 8000 to 192000 Hz, of at most
+/// `longest_s`. Failure unreadableInput: missing, no sound, truncated, too long, or with a sample that is not
+/// a number.
 Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s);
 
 }  // namespace detent::playback

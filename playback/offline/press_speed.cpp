@@ -10,7 +10,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double sameSpeed = 0.01;  // a trace of straight lines is off by its rounding, a press by far more
+// a trace of straight lines deviates only by rounding; a recorded press by far more
+constexpr double sameSpeed = 0.01;
 
 Result<Button> feltAtSpeed(const Button& button, double speed_mm_per_s) {
   for (const double stated : speedsOf(button))

@@ -12,21 +12,22 @@ namespace detent::playback {
 namespace {
 
 constexpr double silenceCheck_s = 0.01;
-constexpr double gapInPeriods = 1.5;           // a gap this long gets readings in between
-constexpr double mostBetween = 20000;          // per gap
-constexpr std::size_t heardBeforehand = 1024;  // readings the noise of a recording is known from
+constexpr double gapInPeriods = 1.5;   // a gap of this length is filled with interpolated readings
+constexpr double mostBetween = 20000;  // interpolated readings per gap
+// number of readings from which a recording's noise is estimated
+constexpr std::size_t heardBeforehand = 1024;
 constexpr double longestRender_s = 7 * 24 * 3600.0;
 
 ConditionerSettings conditionerFor(PressTrace::Quantity quantity, const HapticProgram& program) {
   ConditionerSettings settings = limitsFor(program);
   if (quantity == PressTrace::Quantity::displacement_mm) {
-    // A trace in mm is what somebody recorded or drew: any finite, ordered value is meant.
+    // A trace in mm was recorded or drawn deliberately, so any finite, ordered value is accepted.
     settings.lowest = -1e9;
     settings.highest = 1e9;
     settings.fastest_per_s = 1e12;
     settings.mostNoise = 0;
   }
-  // A drawn trace may have two readings a second apart; only a live sensor falls silent.
+  // A drawn trace may have two readings a second apart, so only a live sensor can be silent.
   settings.silentAfter_s = 1e12;
   return settings;
 }
@@ -74,7 +75,8 @@ std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const Haptic
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts) {
   const double period_s = program.interpolationDelay_s;
   ForceConditioner conditioner(conditionerFor(trace.quantity, program));
-  // A live sensor is heard long before a finger comes; a recording may begin with the press.
+  // A live sensor sends readings long before a press; a recording may begin with it, so its noise is learnt
+  // first.
   const std::size_t heard = std::min(trace.readings.size(), heardBeforehand);
   for (std::size_t i = 0; i < heard; ++i) conditioner.learn(trace.readings[i].value);
   std::vector<EngineInput> inputs;
@@ -128,8 +130,8 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
   std::vector<float> block(settings.block);
   std::size_t next = 0;
   EngineEvent event;
-  // After the last reading the sound ends at the first of fixed places where nothing sounds any more: where
-  // it ends must not depend on the block.
+  // After the last reading the sound ends at the first of fixed times at which nothing sounds. The times are
+  // independent of the block size, so the length is too.
   const auto checkEvery = static_cast<std::int64_t>(settings.sampleRate_Hz * silenceCheck_s);
   std::int64_t nextCheck = end + 1;
   while (engine->frame() < latest) {
@@ -142,7 +144,8 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
         std::min<std::int64_t>(static_cast<std::int64_t>(settings.block), stop - engine->frame()));
     const auto until = static_cast<double>(engine->frame() + static_cast<std::int64_t>(count));
     while (next < inputs.size() && inputs[next].time_frames < until && engine->push(inputs[next])) ++next;
-    // A trace denser than the engine's ring ends the block early: a reading applied late would be felt late.
+    // A trace with more readings than the engine's ring holds ends the block early, so that no reading is
+    // applied late.
     if (next < inputs.size() && inputs[next].time_frames < until)
       count =
           std::clamp<std::size_t>(static_cast<std::size_t>(std::max(

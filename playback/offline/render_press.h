@@ -20,7 +20,7 @@ struct PressReading {
   double value = 0;  ///< N or mm
 };
 
-/// A press over time; readings in any state of health (render_press conditions them like a live sensor's).
+/// A press over time. Its readings may have any errors; they are conditioned like those of a live sensor.
 struct PressTrace {
   enum class Quantity { force_N, displacement_mm };
   Quantity quantity = Quantity::force_N;
@@ -28,13 +28,13 @@ struct PressTrace {
 };
 
 /// Reads `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and
-/// lines starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name`
-/// for messages.
+/// lines starting with # are skipped; "nan" is allowed, because a sensor may send it). Failure names the
+/// line; `name` for messages.
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
 
-/// The readings that survive conditioning, with times in samples from `origin_s`. What the live path plays of
-/// a trace too. Between readings a trace is a straight line: where they lie further apart than the program's
-/// sensor period, readings are put between, so that every event gets its own time.
+/// The readings after conditioning, with times in samples from `origin_s`; live playback of a trace uses them
+/// too. A trace is linear between readings: if these are farther apart than the program's sensor period,
+/// further ones are interpolated, so that every event gets its own time.
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts);
 
@@ -56,15 +56,15 @@ struct RenderSettings {
 };
 
 /// Checks a rendering before anything is computed or written. Failure wrongUsage: settings outside their
-/// ranges, a trace without readings, one whose times begin more than a week after 0.
+/// ranges, a trace without readings, or one that begins more than a week after 0.
 Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& settings);
 
 struct RenderSummary {
   double duration_s = 0;
   double computing_s = 0;
   float peak = 0;
-  /// Strongest 10 ms, dB above threshold (felt_meter.h); of what goes into a file: nobody else asks, and it
-  /// costs a tenth.
+  /// Strongest 10 ms, dB above threshold (felt_meter.h). Computed only when rendering to a file, because it
+  /// costs a tenth of the time.
   double felt_dB = -std::numeric_limits<double>::infinity();
   EngineCounts counts;
   ConditionerCounts sensor;
@@ -73,16 +73,16 @@ struct RenderSummary {
   double timesRealTime() const { return computing_s > 0 ? duration_s / computing_s : 0; }
 };
 
-/// Receives rendered blocks; false stops the render.
+/// Receives rendered blocks; returns false to stop.
 using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
 
-/// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading
-/// if that is earlier. Failure: as checkRendering; unreadableInput if no reading of the trace
-/// is possible.
+/// Renders the whole trace and passes it to `sink`. Time 0 of the sound is time 0 of the trace, or its first
+/// reading if that is earlier. Failure: as checkRendering; unreadableInput if no reading of the trace is
+/// valid.
 Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings, const SampleSink& sink);
 
-/// The same into memory.
+/// Renders into memory.
 struct RenderedPress {
   std::vector<float> samples;
   RenderSummary summary;

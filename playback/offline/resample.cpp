@@ -11,7 +11,7 @@ namespace detent::playback {
 namespace {
 constexpr double zeroCrossings = 32;
 
-/// Blackman's window over [-1, 1].
+/// Blackman window over [-1, 1].
 double window(double x) {
   if (std::fabs(x) >= 1) return 0;
   return 0.42 + 0.5 * std::cos(std::numbers::pi * x) + 0.08 * std::cos(2 * std::numbers::pi * x);
@@ -19,7 +19,7 @@ double window(double x) {
 
 double sinc(double x) { return x == 0 ? 1 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x); }
 
-/// Half of the kernel in steps of a crossing's 512th; straight between them it is within 2e-6.
+/// Half of the kernel in steps of 1/512 of a zero crossing; linear interpolation is accurate to 2e-6.
 constexpr std::size_t perCrossing = 512;
 const std::vector<double>& kernel() {
   static const std::vector<double> half = [] {
@@ -42,7 +42,7 @@ double weight(const std::vector<double>& half, double crossings) {
 std::vector<float> resampled(const std::vector<float>& samples, double from_Hz, double to_Hz) {
   if (from_Hz == to_Hz || samples.empty()) return samples;
   const double ratio = to_Hz / from_Hz;
-  const double cut = std::min(1.0, ratio);  // of the band that is kept
+  const double cut = std::min(1.0, ratio);  // of the frequency band that is kept
   const double reach = zeroCrossings / cut;
   const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(samples.size()) * ratio));
   const auto last = static_cast<std::ptrdiff_t>(samples.size()) - 1;

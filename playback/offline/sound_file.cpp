@@ -41,7 +41,7 @@ int bytesOf(SampleFormat format) {
   return format == SampleFormat::bits24 ? 3 : 4;
 }
 
-/// libsndfile's number for it; 0: no such file.
+/// libsndfile's number for the format; 0: there is none.
 int formatOf(Container container, SampleFormat format, double bytes) {
   const int samples = format == SampleFormat::bits16   ? SF_FORMAT_PCM_16
                       : format == SampleFormat::bits24 ? SF_FORMAT_PCM_24
@@ -52,8 +52,8 @@ int formatOf(Container container, SampleFormat format, double bytes) {
   return container == Container::flac && format != SampleFormat::float32 ? SF_FORMAT_FLAC | samples : 0;
 }
 
-/// One channel, complete or not there. `produce` is given where its samples go; it goes on where that answers
-/// true.
+/// Writes one channel, completely or not at all. `produce` receives a function for passing its samples, and
+/// continues while that returns true.
 template <class Summary>
 Result<Summary> written(const std::filesystem::path& file, double sampleRate_Hz, SampleFormat format,
                         double bytes, const std::function<Result<Summary>(const SampleSink&)>& produce) {
@@ -77,7 +77,7 @@ Result<Summary> written(const std::filesystem::path& file, double sampleRate_Hz,
   {
     SoundFile out(sf_open(draft->path().c_str(), SFM_WRITE, &info));
     if (!out) return draft->notWritten(sf_strerror(nullptr));
-    // No peak chunk: it holds the time of writing, and the same press must give the same file.
+    // Without a peak chunk, which contains the time of writing: the same press must give the same file.
     sf_command(out.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
     sf_command(out.get(), SFC_SET_CLIPPING, nullptr, SF_TRUE);
     summary = produce([&](const float* samples, std::size_t count) {
@@ -143,7 +143,7 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 
 namespace {
 
-/// The library's reason for not opening a file, without its own names and full stops.
+/// The library's reason for not opening a file, without its own name and full stop.
 Message whyNotRead() {
   std::string why = sf_strerror(nullptr);
   if (why.find("nternal error") != std::string::npos)
@@ -152,10 +152,11 @@ Message whyNotRead() {
   return Message("is no sound file that can be read: %1", why);
 }
 
-constexpr double cancelledShare = 0.5;  // of the energy that the strongest channel alone would give the mean
+// of the energy that the mean would have if only the strongest channel had sound
+constexpr double cancelledShare = 0.5;
 
-/// 0, or the number of the strongest channel where the channels' mean is weaker than that one alone would
-/// make it.
+/// 0, or the number of the strongest channel if the mean of the channels has clearly less energy than that
+/// channel alone would give it.
 int onlyChannelOf(const std::vector<float>& interleaved, std::size_t channels) {
   std::vector<double> energies(channels, 0);
   double ofMean = 0;
@@ -166,7 +167,7 @@ int onlyChannelOf(const std::vector<float>& interleaved, std::size_t channels) {
       sum += sample;
       energies[c] += sample * sample;
     }
-    ofMean += sum * sum;  // as often as there are channels, squared: so is what it is held against
+    ofMean += sum * sum;  // without division by the number of channels, like the value it is compared with
   }
   const auto strongest = std::ranges::max_element(energies);
   return ofMean < cancelledShare * *strongest ? static_cast<int>(strongest - energies.begin()) + 1 : 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double tremorOfForce = 0.01;  // physiological tremor, 8-12 Hz
 constexpr double tremor_Hz = 10;
 constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs
-constexpr double rest_s = 0.02;     // before and after, so that onset and end are seen
+constexpr double rest_s = 0.02;     // before and after, so that beginning and end are visible
 
 }  // namespace
 
@@ -49,8 +49,8 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
   }
   RenderSettings settings;
   settings.sampleRate_Hz = sampleRate_Hz;
-  // The force of a tactile button may rise strongly within one reading: it comes from the curve and is no
-  // glitch.
+  // The force of a tactile button may increase strongly within one reading; in a press made from its curve
+  // that is no glitch.
   return renderPress(program, standardPress(program, press), settings);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The press that stands for a person's where none was recorded: displays, exports, studies, predictions.
+// The press that represents a person's if none was recorded: for displays, exports, studies and predictions.
 
 #include "model/result.h"
 #include "playback/offline/render_press.h"
@@ -18,7 +18,8 @@ struct StandardPress {
   double sensor_Hz = 425;  ///< K&L, Apparatus
 };
 
-/// Force of a full press: a quarter more than the button's bottom-out needs, and clear of the sensor's noise.
+/// Force of a full press: a quarter more than the button's bottom-out needs, and well above the sensor's
+/// noise.
 double standardPeak_N(const HapticProgram& program);
 
 /// The readings of such a press.

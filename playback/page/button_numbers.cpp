@@ -26,7 +26,7 @@ Failure notAButton() {
           "Write the page anew"};
 }
 
-/// Reads from the front of a row of numbers, and remembers whether it ever ran out.
+/// Reads a row of numbers from the front, and records whether it ran out.
 class NumberReader {
  public:
   explicit NumberReader(const std::vector<double>& numbers) : numbers_(numbers) {}

@@ -4,7 +4,8 @@
 // renders whole presses in the page's thread, another runs in the audio worklet; each has one thread.
 //
 // Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_steer,
-// detent_use and detent_place touch only what is there. detent_allocations counts, so that a browser can tell.
+// detent_use and detent_place touch only what is there. detent_allocations counts, so that a browser can
+// tell.
 
 #include <array>
 #include <cmath>
@@ -30,28 +31,27 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t mostFrames = 8192;  // of one call of detent_process
+constexpr std::size_t mostFrames = 8192;  // in one call of detent_process
 std::uint32_t allocations = 0;
-constexpr double steadier_per_s =
-    60;  // how fast a dragged or measured force is followed between its messages
+constexpr double steadier_per_s = 60;  // smoothing of a dragged or measured force between its messages
 
-/// What the page draws, as numbers in a row.
+/// State of the button that the page draws, as a row of numbers.
 struct ShownState {
   double displacement_mm = 0, force_N = 0, releasing = 0, state = 0, contact = 0;
   double pressJumps = 0, releaseJumps = 0, bottomOuts = 0, peak = 0;
 };
 
-/// A button of the page. They stand still once the engine has begun.
+/// A button of the page. Its address is fixed once the engine has begun.
 struct PageButton {
   Button button;
   PreparedProgram front;
-  std::vector<SpeedProgram> speeds;  ///< from detent_start on
+  std::vector<SpeedProgram> speeds;  ///< filled by detent_start
   PlaybackSettings settings;
-  std::unique_ptr<HapticProgram> locked;  ///< the stimulus of a study that is found locked
-  bool stimulus = false;                  ///< played at the speed it is drawn for, as studies do
+  std::unique_ptr<HapticProgram> locked;  ///< a study's stimulus that starts in its locked state
+  bool stimulus = false;                  ///< played at the speed of its drawn graph, as in studies
 };
 
-constexpr std::size_t mostSlots = 65;  // stimuli of a trial: the choices, and X
+constexpr std::size_t mostSlots = 65;  // stimuli of a trial: the choices and X
 constexpr std::size_t noSlot = mostSlots;
 
 /// Source that moves the finger.
@@ -112,7 +112,7 @@ class Page {
     exchange(buttons_[index].front.program, &buttons_[index].speeds);
   }
 
-  /// Every stimulus of a trial starts unlocked, X as well as the choice that is the same button.
+  /// Resets every stimulus of a trial to unlocked, X as well as the choice that is the same button.
   void beginTrial() {
     locked_.fill(false);
     slot_ = noSlot;
@@ -120,7 +120,7 @@ class Page {
     presses_.taken();
   }
 
-  /// Puts a stimulus under a finger that starts above it. Each slot keeps its own lock.
+  /// Puts a stimulus under a finger that starts above it. Each slot has its own lock state.
   void place(std::size_t slot, std::size_t index) {
     if (!engine_ || slot >= mostSlots || index >= buttons_.size()) return;
     if (slot == slot_) return;
@@ -143,14 +143,14 @@ class Page {
     return felt_.data();
   }
 
-  /// A finger that presses as a person does, and stays.
+  /// Starts a press like a person's, which then holds.
   void press() { move(Hand::timed, true); }
   void lift() {
     if (hand_ == Hand::steered) steered_N_ = 0;
     move(Hand::timed, false);
   }
 
-  /// A force somebody steers: a drag, a pen, a sensor.
+  /// Sets a force that a person controls: by dragging, a pen, or a sensor.
   void steer(double force_N) {
     if (!std::isfinite(force_N)) return;
     hand_ = Hand::steered;
@@ -172,7 +172,7 @@ class Page {
     return block_.data();
   }
 
-  /// Of a study: what is heard of presses.
+  /// For studies: adds the sound of presses.
   float* soundSamples(std::size_t count) {
     sound_.samples.assign(count, 0.0F);
     return sound_.samples.data();
@@ -230,7 +230,7 @@ class Page {
     return down_ ? pressedForce(profile_, from_N_, t_s) : releasedForce(profile_, from_N_, t_s);
   }
 
-  /// Readings at the finger's own rate, each on the time line of the samples.
+  /// Feeds readings at the finger's own rate, with times on the time line of the samples.
   void feedUntil(double end_frames) {
     const double step_frames = engine_->sampleRate_Hz() / profile_.rate_Hz;
     for (; nextReading_frames_ < end_frames; nextReading_frames_ += step_frames) {
@@ -273,7 +273,7 @@ Page& page() {
 void* operator new(std::size_t size) {
   ++detent::playback::allocations;
   void* const room = std::malloc(size > 0 ? size : 1);
-  if (room == nullptr) __builtin_trap();  // a page has no way to go on
+  if (room == nullptr) __builtin_trap();  // out of memory: the page cannot continue
   return room;
 }
 void operator delete(void* room) noexcept { std::free(room); }
@@ -285,12 +285,12 @@ using detent::playback::page;
 
 /// Room for `count` numbers of a button (button_numbers.h), to be filled before detent_add.
 DETENT_EXPORT(detent_numbers) double* detent_numbers(std::uint32_t count) { return page().numbers(count); }
-/// Index of the button in detent_numbers' room, or -1 where it is none.
+/// Adds the button in detent_numbers' room; returns its index, or -1 if it is invalid.
 DETENT_EXPORT(detent_add) std::int32_t detent_add() {
   return page().add(detent::playback::usualSettings(), false);
 }
-/// Likewise, a stimulus of a study: feel (1: clear), mode (FeedbackMode), and the settings that a threshold
-/// study raises.
+/// The same for a study's stimulus: feel (1: clear), mode (FeedbackMode), and the settings that a threshold
+/// study increases.
 DETENT_EXPORT(detent_add_stimulus)
 std::int32_t detent_add_stimulus(std::uint32_t feel, std::uint32_t mode, double grainAmplitude,
                                  double jumpAmplitudePerArea_per_mJ, double faintestJump) {
@@ -302,13 +302,14 @@ std::int32_t detent_add_stimulus(std::uint32_t feel, std::uint32_t mode, double 
   settings.faintestJump = faintestJump;
   return page().add(settings, true);
 }
-/// Studies: a trial starts; a stimulus of it comes under the finger; its presses since the last call.
+/// Studies: starts a trial; puts one of its stimuli under the finger; returns its presses since the last
+/// call.
 DETENT_EXPORT(detent_begin_trial) void detent_begin_trial() { page().beginTrial(); }
 DETENT_EXPORT(detent_place) void detent_place(std::uint32_t slot, std::uint32_t index) {
   page().place(slot, index);
 }
-/// Studies, after detent_start: room for a recording; then what is heard of presses
-/// (press_sound.h). detent_heard: beside the samples of the last detent_process.
+/// Studies, after detent_start: room for a recording; then the sound of presses (press_sound.h).
+/// detent_heard: samples in parallel to those of the last detent_process.
 DETENT_EXPORT(detent_sound_samples) float* detent_sound_samples(std::uint32_t count) {
   return page().soundSamples(count);
 }
@@ -318,13 +319,13 @@ void detent_sound(std::uint32_t rendered, double sampleRate_Hz, double level_dB,
 }
 DETENT_EXPORT(detent_heard) const float* detent_heard() { return page().heard(); }
 DETENT_EXPORT(detent_felt) const double* detent_felt() { return page().felt(); }
-/// Samples of a standard press (`detent-play render --standard-press`), or -1; detent_rendered is where they
-/// lie.
+/// Renders a standard press (`detent-play render --standard-press`); returns its number of samples, or -1.
+/// detent_rendered returns the samples.
 DETENT_EXPORT(detent_render) std::int32_t detent_render(std::uint32_t index, double sampleRate_Hz) {
   return page().renderStandard(index, sampleRate_Hz);
 }
 DETENT_EXPORT(detent_rendered) const float* detent_rendered() { return page().rendered(); }
-/// Makes the engine that plays live; 0, or -1 without a button.
+/// Creates the engine for live playing; returns 0, or -1 without a button.
 DETENT_EXPORT(detent_start) std::int32_t detent_start(double sampleRate_Hz) {
   return page().start(sampleRate_Hz);
 }

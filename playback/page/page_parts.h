@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The files of playback/page as they are in the program: written by embed.cmake.
+// The files of playback/page, embedded in the program by embed.cmake.
 
 #include <string_view>
 

@@ -21,7 +21,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// Little-endian, as WebAssembly and every browser's Float64Array on the machines it runs on have it.
+/// Little-endian, as WebAssembly and the Float64Array of browsers on all supported machines expect.
 std::string base64(const std::vector<double>& numbers) {
   std::string bytes;
   for (const double number : numbers)

@@ -13,9 +13,9 @@ std::string base64(std::string_view bytes);
 /// The numbers as little-endian doubles, in base64.
 std::string base64(const std::vector<double>& numbers);
 
-/// JSON that cannot end the script element it stands in.
+/// JSON escaped so that it cannot end its script element.
 std::string insideScript(std::string_view json);
-/// Text that cannot begin an element.
+/// Text escaped so that it cannot begin an element.
 std::string insideElement(std::string_view text);
 
 /// The template with every @NAME@ replaced, in one pass: inserted text is not searched.

@@ -54,8 +54,8 @@ const char* wordOf(FigureUnit unit) {
   return "";
 }
 
-/// All of them, without a value where the button has none: a page's rows stand in one order whatever is in
-/// it.
+/// All figures, without a value if the button does not have one, so that the rows of every page have the same
+/// order.
 Json figuresOf(const ButtonState& state) {
   const KeyFigures values = keyFiguresOf(state);
   Json figures = Json::array();
@@ -111,7 +111,8 @@ Result<std::string> sharePage(const std::vector<Button>& buttons) {
   }
   const Json name =
       buttons.size() == 1 ? list[0]["name"] : Json(std::to_string(buttons.size()) + " buttons to press");
-  const std::string title = Json::parse(jsonText(name)).get<std::string>();  // UTF-8, whatever the name is
+  // valid UTF-8, whatever the name contains
+  const std::string title = Json::parse(jsonText(name)).get<std::string>();
   const Json data{{"title", title}, {"buttons", list}, {"engine", base64(page_parts::engine)}};
   const std::string engineScript(page_parts::engineScript);
   return filled(page_parts::html, {{"@TITLE@", insideElement(title)},

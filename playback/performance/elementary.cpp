@@ -11,10 +11,11 @@ namespace detent::playback {
 double exponential(double x) {
   DETENT_CHECK(x >= -700 && x <= 700, "the exponent of a finite value");
   if (x < 0) return 1 / exponential(-x);
-  constexpr int halvings = 12;  // |x| / 4096 < 0.18: fourteen terms reach the last bit
+  constexpr int halvings = 12;  // |x| / 4096 < 0.18, so fourteen terms are exact to the last bit
   double small = x;
   for (int i = 0; i < halvings; ++i) small *= 0.5;
-  // expm1 by its series, doubled as (1 + m)^2 - 1 = m (2 + m): no digit is lost where the argument is small.
+  // expm1 by its series, then doubled repeatedly as (1 + m)^2 - 1 = m (2 + m), so that no digits are lost for
+  // small arguments.
   double minusOne = 0;
   for (int n = 14; n >= 1; --n) minusOne = small / n * (1 + minusOne);
   for (int i = 0; i < halvings; ++i) minusOne *= 2 + minusOne;

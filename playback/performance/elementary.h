@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Functions of plain additions, products, quotients and square roots, which IEEE 754 rounds alike everywhere:
-// a forecast is the same to the last bit whatever the compiler and its mathematics library. Any thread.
+// Mathematical functions that use only additions, products, quotients and square roots, which IEEE 754 rounds
+// equally on every machine. A forecast is therefore equal to the last bit whatever the compiler and its
+// library. Any thread.
 
 #include <cstdint>
 #include <vector>
@@ -26,15 +27,16 @@ double normalShare(double z);
 /// The z with normalShare(z) == share; share in (0, 1) (checked), within ±8.
 double normalScore(double share);
 
-/// `count` scores that cut the normal distribution into equal shares, by increasing value.
+/// `count` scores that divide the normal distribution into equal shares, ascending.
 std::vector<double> normalScores(int count);
 
-/// Pseudo-random numbers from a seed (splitmix64, Steele, Lea & Flood 2014): the same for ever.
+/// Pseudo-random numbers from a seed (splitmix64, Steele, Lea & Flood 2014): the same sequence on every
+/// machine and in every version.
 class FixedRandom {
  public:
   explicit FixedRandom(std::uint64_t seed) : state_(seed) {}
   std::uint64_t next();
-  /// Even in [0, 1).
+  /// Uniform in [0, 1).
   double share();
   /// Standard normal, by the inverse of its distribution.
   double normal();

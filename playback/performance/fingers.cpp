@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint64_t seed = 20261124;
 constexpr double restingMedian_N = 0.4;
-constexpr double restingSpreadBetween = 0.30;  // in the logarithm, as is the spread within a finger
+constexpr double restingSpreadBetween = 0.30;  // in the logarithm, like the spread within a finger
 
-/// One place in every `fingerCount`-th part of 0..1, in an order of its own.
+/// One position in each of `fingerCount` equal parts of 0..1, in random order.
 std::vector<double> positions(FixedRandom& random) {
   std::vector<std::size_t> order(fingerCount);
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The people of the forecast: 64 fingers from a fixed seed (docs/reference/press-forecast.md, "Fingers").
+// The simulated people of the forecast: 64 fingers from a fixed seed (docs/reference/press-forecast.md,
+// "Fingers").
 
 #include <vector>
 
@@ -25,8 +26,8 @@ inline constexpr double restingSpreadWithin = 0.30;
 /// Number of fingers of a forecast.
 inline constexpr int fingerCount = 64;
 
-/// The population: each range cut into as many equal parts as there are fingers, every part used once. Always
-/// the same.
+/// The population: each range is divided into as many equal parts as there are fingers, and each finger gets
+/// one part of each. Always the same.
 std::vector<Finger> allFingers();
 
 }  // namespace detent::playback

@@ -15,9 +15,10 @@ namespace detent::playback {
 namespace {
 
 constexpr double metre_mm = 1000;
-constexpr double usualDifferential_mm = 0.1;  // operating point to reset point, where the button names none
-constexpr double leastForce_N = 0.02;         // of a key: below, the finger's own weight is all there is
-constexpr double feltDrop = 0.07;             // of the peak force: Weber fraction of force at the finger
+// distance from operating point to reset point if the button has none
+constexpr double usualDifferential_mm = 0.1;
+constexpr double leastForce_N = 0.02;  // of a key: with less, only the finger's own weight would press
+constexpr double feltDrop = 0.07;      // of the peak force: Weber fraction of force for a finger
 constexpr double feltDrop_N = 0.02;
 
 bool jumpIsFelt(const StrokeCurve& press, double close_mm) {
@@ -38,7 +39,7 @@ void refuse(PressForecast& forecast, NoForecast why, std::initializer_list<Press
   }
 }
 
-/// Operating and reset point, or why there are none to forecast with.
+/// Sets operating and reset point; returns the reason if a forecast is impossible without them.
 NoForecast placeContact(const ButtonState& state, const ForecastSettings& settings, PressForecast& forecast) {
   const std::optional<double> close_mm =
       settings.operateAt_mm ? settings.operateAt_mm : state.operatingPoint_mm;
@@ -92,7 +93,7 @@ double valueOf(const PressPlan& plan, PressFigure figure) {
 
 using Plans = std::vector<std::optional<PressPlan>>;
 
-/// Each finger by itself, so the number of threads changes nothing but the time.
+/// Fingers are planned independently, so the number of threads changes only the time.
 Plans planAll(const KeyTables& key, const PressTask& task, unsigned threads,
               const std::function<bool()>& cancelled) {
   const std::vector<Finger> fingers = allFingers();
@@ -193,7 +194,7 @@ std::optional<PressForecast> forecastPress(const Button& button, const ForecastS
     if (plan) forecast.plans.push_back(*plan);
   }
   if (forecast.plans.size() !=
-      plans.size()) {  // a band over some of the fingers would be another population's
+      plans.size()) {  // a band over only some of the fingers would describe another population
     forecast.plans.clear();
     refuse(forecast, NoForecast::tooHeavy);
     return forecast;

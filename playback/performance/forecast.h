@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Front of the room: a button in, what 64 simulated fingers make of it out, and how two buttons differ.
-// Reading order: elementary.h, fingers.h, key_tables.h, press_plant.h, press_response.h, press_policy.h,
-// forecast.h, timed_press.h, limits.h. Model, parameters and where the forecast was wrong:
+// Public interface of this folder: a button in; the results of 64 simulated fingers, and differences between
+// two buttons, out. Reading order: elementary.h, fingers.h, key_tables.h, press_plant.h, press_response.h,
+// press_policy.h, forecast.h, timed_press.h, limits.h. Model, parameters and known errors:
 // docs/reference/press-forecast.md.
 
 #include <array>
@@ -38,7 +38,7 @@ inline constexpr std::size_t pressFigureCount = static_cast<std::size_t>(PressFi
 struct PressFigureName {
   const char* key;   ///< "peak_force_N": for programs; ends in the unit
   const char* term;  ///< "peak force, N"
-  bool ofThousand;   ///< a rate per 1,000 presses: compared with 1 added
+  bool ofThousand;   ///< a rate per 1,000 presses; compared after adding 1
 };
 const std::array<PressFigureName, pressFigureCount>& pressFigureNames();
 
@@ -55,21 +55,22 @@ inline constexpr double timedWindow_s = 0.1, timedInterval_s = 0.5;
 enum class NoForecast {
   none,
   noOperatingPoint,
-  operatingPointOutside,  ///< not within the travel
-  tooLight,               ///< below what a finger feels
+  operatingPointOutside,  ///< the operating point is not within the travel
+  tooLight,               ///< lighter than a finger can feel
   tooHeavy,               ///< some finger cannot close the contact
-  noRelease,              ///< nothing says what the way up is like
-  selfLocking             ///< one press in two locks: no rate, no doubles
+  noRelease,              ///< the button has no release curve
+  /// a self-locking button: one press locks and the next unlocks, so rates and doubles have no meaning
+  selfLocking
 };
 /// "the button has no operating point; give one with --operate-at".
 const char* reasonOf(NoForecast reason);
 
-/// Figures of one button: of each finger, in the order of allFingers(), and their band.
+/// Figures of one button: for each finger, in the order of allFingers(), and their band.
 struct PressForecast {
   std::string name;
   std::optional<double> operatingPoint_mm, resetPoint_mm;
   bool jumpIsFelt = false;
-  std::array<std::vector<double>, pressFigureCount> ofFingers;  ///< empty: not forecast, see `why`
+  std::array<std::vector<double>, pressFigureCount> ofFingers;  ///< empty: no forecast, see `why`
   std::array<NoForecast, pressFigureCount> why{};
   std::vector<PressPlan> plans;  ///< of each finger; empty where none was forecast
 
@@ -79,16 +80,17 @@ struct PressForecast {
 };
 
 struct ForecastSettings {
-  std::optional<double> operateAt_mm;  ///< act here instead; the reset point keeps its distance
-  std::optional<double> period_s;      ///< paced task; > 0
-  unsigned threads = 0;  ///< 0: as many as there are cores; the result is the same for any number
+  /// operating point to use instead; the reset point keeps its distance from it
+  std::optional<double> operateAt_mm;
+  std::optional<double> period_s;  ///< paced task; > 0
+  unsigned threads = 0;            ///< 0: one per core; the result does not depend on it
 };
 
-/// Asks all fingers. Empty where `cancelled` said so.
+/// Simulates all fingers. Empty after `cancelled` returned true.
 std::optional<PressForecast> forecastPress(const Button& button, const ForecastSettings& settings = {},
                                            const std::function<bool()>& cancelled = {});
 
-/// Below this in the median nothing is claimed.
+/// A smaller median difference supports no claim.
 inline constexpr double claimedFrom = 0.15;
 
 enum class Claim { notForecast, noDifference, higher, lower, notDecided };
@@ -100,7 +102,7 @@ struct PressDifference {
 };
 PressDifference differenceOf(const PressForecast& first, const PressForecast& second, PressFigure figure);
 
-/// The claim a band of ratios supports.
+/// The claim that a band of ratios supports.
 Claim claimOf(const Band& ratio);
 
 }  // namespace detent::playback

@@ -10,11 +10,11 @@ namespace detent::playback {
 namespace {
 
 constexpr double steepest_N_per_m =
-    200000;  // a vertical rise of a graph; steeper ones would outrun the step of 50 µs
-constexpr double ownDamping_Ns_per_m = 0.2;  // of every cap
+    200000;  // slope of a graph's vertical rise; steeper ones would need a step below 50 µs
+constexpr double ownDamping_Ns_per_m = 0.2;  // of every key cap
 constexpr double tableMetre_mm = 1000;
 
-/// Cuts what rises or falls faster than the step can follow; the force at the start stays.
+/// Limits slopes to what the step can follow; the force at the start is kept.
 void limitSlope(std::vector<double>& values_N, double most_N) {
   for (std::size_t i = 1; i < values_N.size(); ++i)
     values_N[i] = std::clamp(values_N[i], values_N[i - 1] - most_N, values_N[i - 1] + most_N);
@@ -37,7 +37,7 @@ KeyTables::KeyTables(const ButtonState& state)
   limitSlope(up_N, steepest_N_per_m * cell_m_);
   double stored_J = 0;
   for (std::size_t i = 0; i < down_N.size(); ++i) {
-    // Where strokes cross, the release counts as the press: a button gives no energy away.
+    // Where strokes cross, the release is set to the press, because a button cannot supply energy.
     const double back_N = std::min(down_N[i], up_N[i]);
     const double mean_N = 0.5 * (down_N[i] + back_N);
     if (i > 0) stored_J += 0.5 * (mean_N + cells_.back().mean_N) * cell_m_;

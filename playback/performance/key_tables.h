@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button state as the simulated finger meets it: forces in tables of even steps, in metres, newtons and
+// A button state as the simulated finger meets it: forces in evenly spaced tables, in metres, newtons and
 // joules.
 
 #include <algorithm>
@@ -20,12 +20,12 @@ struct ContactPoints {
   double open_m = 0;   ///< going up, < close_m
 };
 
-/// Force of the button between its strokes: the mean of both has a potential, the rest is play (decision
-/// 1100) and can only take energy. Immutable after its making; any thread. What a step of the plant asks for
-/// stands here, so that it becomes part of it (docs/develop/decisions/1210-two-presses-at-once.md).
+/// Force of the button between its strokes: their mean, which has a potential, plus play (decision 1100),
+/// which can only take energy. Immutable; any thread. Functions that a step of the plant calls are defined
+/// here, so that they are inlined (docs/develop/decisions/1210-two-presses-at-once.md).
 class KeyTables {
  public:
-  /// A depth, with where it lies in the tables. `Real`: double, or several presses' (lanes.h).
+  /// A depth, with its position in the tables. `Real`: double, or several presses' (lanes.h).
   template <class Real>
   struct Place {
     Real depth_m{}, cell{}, share{};
@@ -44,7 +44,7 @@ class KeyTables {
     return {depth_m, cell, place - cell, at};
   }
 
-  /// Mean of press and release, N; below 0 and beyond the end the stops are part of it.
+  /// Mean of press and release, N. Below 0 and beyond the end the force of the stops is included.
   template <class Real>
   Real mean_N(const Place<Real>& at) const {
     const Real inside_N = between(at, &Cell::mean_N);
@@ -65,7 +65,7 @@ class KeyTables {
     return inside_J + outside_m * (edge_N + 0.5 * stop_N_per_m * outside_m);
   }
   double stored_J(double depth_m) const { return stored_J(placeOf(depth_m)); }
-  /// A depth with what many ends of one step are held against.
+  /// A depth with the values that several ends of one step are compared with.
   template <class Real>
   struct Start {
     Place<Real> place;
@@ -76,10 +76,10 @@ class KeyTables {
     const Place<Real> place = placeOf(depth_m);
     return {place, pieceOf(place), mean_N(place), stored_J(place)};
   }
-  /// The constant force that does the work of mean_N between two depths.
+  /// The constant force that does the same work as mean_N between two depths.
   template <class Real>
   Real meanBetween_N(const Start<Real>& from, const Place<Real>& to) const {
-    constexpr double tooClose_m = 1e-12;  // the difference of two energies would be rounding
+    constexpr double tooClose_m = 1e-12;  // below this the difference of two energies is mostly rounding
     const Real way_m = to.depth_m - from.place.depth_m;
     const auto close = either(from.piece == pieceOf(to), size(way_m) < tooClose_m);
     const Real even_N = 0.5 * (from.mean_N + mean_N(to));
@@ -92,7 +92,7 @@ class KeyTables {
     return between(at, &Cell::halfWidth_N);
   }
   double halfWidth_N(double depth_m) const { return halfWidth_N(placeOf(depth_m)); }
-  /// The cap's own damper and the button's b(x), N·s/m.
+  /// The damping of the cap itself plus the button's b(x), N·s/m.
   template <class Real>
   Real damping_Ns_per_m(const Place<Real>& at) const {
     return evenDamping_ ? Real{} + cells_.front().damping_Ns_per_m : between(at, &Cell::damping_Ns_per_m);
@@ -113,7 +113,7 @@ class KeyTables {
     return {first(at, value),
             LanesOf<Real>::gathered(at.at, [&](std::size_t cell) { return cells_[cell + 1].*value; })};
   }
-  /// Straight between two cells' beginnings.
+  /// Linear between the beginnings of two cells.
   template <class Real>
   Real between(const Place<Real>& at, double Cell::*value) const {
     const auto [begin, end] = ends(at, value);
@@ -126,7 +126,7 @@ class KeyTables {
 
   double end_m_ = 0, cell_m_ = 0;
   bool evenDamping_ = true;  ///< the same everywhere
-  std::vector<Cell> cells_;  ///< of their beginnings, and the end
+  std::vector<Cell> cells_;  ///< at their beginnings; and at the end
 };
 
 }  // namespace detent::playback

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One formula for one press and for two at once. Each of two is worked on as one is, operation by operation:
-// the result is the same to the last bit, and takes little more time than one
+// One formula for one press and for two at once. Each of two is computed with the same operations as one
+// alone, so the result is equal to the last bit and takes little more time than one
 // (docs/develop/decisions/1210-two-presses-at-once.md).
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace detent::playback {
 
 /// Two numbers side by side, of two presses.
 using Two = double __attribute__((vector_size(16)));
-/// Result of a comparison: all bits set where it holds.
+/// Result of a comparison: all bits are set where it is true.
 using TwoTrue = decltype(Two{} < Two{});
 
 inline double select(bool which, double yes, double no) { return which ? yes : no; }
@@ -40,7 +40,7 @@ struct LanesOf;
 template <>
 struct LanesOf<double> {
   using Index = std::size_t;
-  /// x >= 0, cut to a whole number, at most `most`.
+  /// x >= 0, truncated to a whole number, at most `most`.
   static Index index(double x, int most) {
     const int cut = static_cast<int>(x);
     return static_cast<Index>(cut < most ? cut : most);

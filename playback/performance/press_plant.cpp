@@ -12,18 +12,19 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double startHeight_m = 0.003;  // above the cap
-constexpr double posture_N_per_m = 20;   // towards the start
+constexpr double startHeight_m = 0.003;  // of the finger above the cap
+constexpr double posture_N_per_m = 20;   // of the spring that pulls the finger back to its start
 constexpr double joint_Ns_per_m = 0.5;
 constexpr double extensorDecay_s = 0.02;
-constexpr double play_m = 0.00002;  // the way from the release to the press branch
+constexpr double play_m = 0.00002;  // travel from the release branch to the press branch
 constexpr double steps_per_s = 1 / plantStep_s;
 constexpr double capStep_s_per_kg = plantStep_s / capMass_kg;
 constexpr double settled_m_per_s =
-    1e-9;  // change of a speed between two rounds: works agree to far better than 1e-6
+    1e-9;  // change of a speed between two iterations; works are then accurate to far better than 1e-6
 constexpr int mostRounds = 40;
 
-/// The muscle's force, step by step: a half sine, then an extensor that fades, both through a lag.
+/// The muscle's force, step by step: a half sine of the flexor, then a decaying pulse of the extensor, both
+/// with a lag.
 class Muscle {
  public:
   Muscle(const Finger& finger, const PressCommand& command)
@@ -53,7 +54,7 @@ class Muscle {
     return 0.5 * (before_N + force_N_);
   }
 
-  /// Returns true if it only pulls away from now on.
+  /// Returns true if from now on the muscle only pulls away from the key.
   bool pullsAway(double time_s) const {
     return time_s >= end_s_ && time_s >= extensorStart_s_ && force_N_ <= 0;
   }
@@ -74,11 +75,11 @@ struct MovingOf {
 };
 using Moving = MovingOf<double>;
 
-/// Forces that, held over one step, do exactly the work of what they stand for.
+/// Constant forces over one step that do exactly the same work as the actual ones.
 template <class Real>
 struct ForcesOf {
   Real spring_N{}, pulpDamper_N{}, button_N{}, play_N{}, posture_N{}, joint_N{};
-  Real capDamping_Ns_per_m{};  // the cap's damper goes by its factor
+  Real capDamping_Ns_per_m{};  // the cap's damper is handled by a factor instead
   Real pulp_N() const { return spring_N + pulpDamper_N; }
 };
 using StepForces = ForcesOf<double>;
@@ -89,8 +90,8 @@ Real pulpEnergy_J(const Finger& finger, const Real& pulp_m) {
   return select(pulp_m > 0, 0.5 * finger.pulp_N_per_m * pulp_m * pulp_m, Real{});
 }
 
-/// The bodies of a press in touch, over one step. `Real`: of one press, or of two by the same finger on the
-/// same key.
+/// Finger and cap in contact, over one step. `Real`: for one press, or for two by the same finger on the same
+/// key.
 template <class Real>
 class StepOf {
  public:
@@ -104,7 +105,7 @@ class StepOf {
         now_(now),
         from_(key.startAt(now.cap_m)) {}
 
-  /// State at the end of the step. `forces`: of the previous step; become those of this one.
+  /// State at the end of the step. `forces`: those of the previous step; receives those of this one.
   Moving end(Forces& forces, const Real& muscle_N) const {
     Moving guess = movedBy(forces, muscle_N);
     auto settled = guess.cap_m != guess.cap_m;  // none yet
@@ -113,7 +114,7 @@ class StepOf {
       const Moving better = withPulpFollowing(movedBy(latest, muscle_N), guess, latest);
       const Real change_m_per_s =
           size(better.finger_m_per_s - guess.finger_m_per_s) + size(better.cap_m_per_s - guess.cap_m_per_s);
-      if (any(settled)) {  // of two presses the one that has settled keeps what it has
+      if (any(settled)) {  // of two presses, the one that has converged keeps its result
         keepSettled(settled, latest, forces);
         keepSettled(settled, better, guess);
       } else {
@@ -171,12 +172,13 @@ class StepOf {
     return clamped(now_.play + 2 * (depth_m - now_.cap_m) / play_m, -1, 1);
   }
 
-  /// The end of the step under these forces; positions by the mean speed, so that force times way is energy,
-  /// exactly.
+  /// End of the step under these forces. Positions follow the mean speed, so that force times distance is
+  /// exactly the energy.
   Moving movedBy(const Forces& f, const Real& muscle_N) const {
     Moving to = now_;
     to.finger_m_per_s += fingerStep_s_per_kg_ * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
-    // The cap's damper by its factor, not by rounds: a strongly damped button would not settle.
+    // The cap's damper enters by a factor instead of by iteration, which would not converge for a strongly
+    // damped button.
     const Real factor = 0.5 * capStep_s_per_kg * f.capDamping_Ns_per_m;
     to.cap_m_per_s =
         (now_.cap_m_per_s * (1 - factor) + capStep_s_per_kg * (f.pulp_N() - f.button_N - f.play_N)) /
@@ -186,15 +188,17 @@ class StepOf {
     return to;
   }
 
-  /// Derivative of the pulp's force over the step by the closing speed at its end, around the guess.
+  /// Derivative of the pulp's mean force with respect to the closing speed at the end of the step, around the
+  /// guess.
   Real pulpAnswer_Ns_per_m(const Moving& guess, const Forces& f) const {
     const Real answer = select(allOf(now_.pulp_m() > 0, guess.pulp_m() > 0),
                                Real{} + 0.25 * plantStep_s * finger_.pulp_N_per_m, Real{});
     return answer + select(f.pulpDamper_N > 0, Real{} + 0.5 * finger_.pulpDamping_Ns_per_m, Real{});
   }
 
-  /// `wanted` with the pulp taken at the end of the step instead of at the guess: Newton's step for the
-  /// stiffest force, which couples both bodies. The rounds end at the same result, in fewer steps.
+  /// `wanted` with the pulp's force taken at the end of the step instead of at the guess: a Newton step for
+  /// the stiffest force, which couples both bodies. The iteration converges to the same result in fewer
+  /// steps.
   Moving withPulpFollowing(Moving wanted, const Moving& guess, const Forces& f) const {
     const Real answer = pulpAnswer_Ns_per_m(guess, f);
     const Real finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
@@ -216,7 +220,7 @@ class StepOf {
   KeyTables::Start<Real> from_;
 };
 
-/// Switches of the two ways to read a contact: points of the button, and rapid trigger.
+/// The two ways of reading a contact: with the button's fixed points, and with rapid trigger.
 class Contacts {
  public:
   explicit Contacts(const ContactPoints& points) : points_(points) {}
@@ -264,10 +268,10 @@ class Press {
     start_J_ = storedIn(now_);
   }
 
-  /// Keeps the depth of the cap after each step.
+  /// Records the depth of the cap after each step.
   void keepDepths(std::vector<double>& depths_m) { depths_m_ = &depths_m; }
 
-  /// Ends the simulation at the first activation, or where none can come any more.
+  /// Ends the simulation at the first activation, or when none is possible any more.
   void onlyToContact() { toContact_ = true; }
 
   PressOutcome run() {
@@ -280,7 +284,7 @@ class Press {
     return outcome_;
   }
 
-  /// Two of the same finger on the same key: side by side as long as both touch it.
+  /// Simulates two presses of the same finger on the same key, side by side as long as both touch it.
   static std::array<PressOutcome, 2> runBoth(Press& first, Press& second) {
     while (first.goesOn() && second.goesOn()) {
       const double first_N = first.muscle_.next_N(first.time_s()),
@@ -313,15 +317,15 @@ class Press {
   }
 
   /// Returns true if the contact cannot close any more: the finger moves up, its muscle only pulls up from
-  /// now on, and it is more than `flight_m` above the closing point. While they touch, the cap is no lower
-  /// than the finger; when they part, the press ends. In one step the cap moves at most `flight_m` (2 m/s).
+  /// now on, and it is more than `flight_m` above the closing point. In contact, the cap is no lower than the
+  /// finger, and when they separate the press ends. In one step the cap moves at most `flight_m` (2 m/s).
   bool retreats(double time_s) const {
     constexpr double flight_m = 1e-4;
     return touched_ && muscle_.pullsAway(time_s) && now_.finger_m_per_s < 0 &&
            now_.finger_m < contacts_.close_m() - flight_m;
   }
 
-  /// Depth at which the stop carries the force of the start.
+  /// Depth at which the stop balances the force at the start.
   double restOfCap_m() const {
     double low_m = -0.001 - key_.mean_N(0) / KeyTables::stop_N_per_m, high_m = 0;
     for (int i = 0; i < 60; ++i) {
@@ -372,7 +376,7 @@ class Press {
             Two{a.capDamping_Ns_per_m, b.capDamping_Ns_per_m}};
   }
 
-  /// Before the touch: the cap rests, the finger is moved by linear forces.
+  /// Before the contact: the cap rests, and only linear forces act on the finger.
   void advanceInAir(double muscle_N) {
     const double mass_per_s = finger_.mass_kg / plantStep_s;
     const double force_N = muscle_N - posture_N_per_m * (now_.finger_m + startHeight_m) -
@@ -383,7 +387,7 @@ class Press {
     Moving to = now_;
     to.finger_m_per_s += change_m_per_s;
     to.finger_m += 0.5 * plantStep_s * (now_.finger_m_per_s + to.finger_m_per_s);
-    if (to.pulp_m() > 0) {  // the first step in touch is a step of both
+    if (to.pulp_m() > 0) {  // the first step in contact is one of both bodies
       touched_ = true;
       last_ = StepOf<double>(key_, finger_, now_).forcesTowards(now_);
       advance(muscle_N);

@@ -13,17 +13,17 @@
 namespace detent::playback {
 
 inline constexpr double plantStep_s = 5e-5;    ///< 20 kHz
-inline constexpr double mostAmplitude_N = 30;  ///< that a finger commands
-inline constexpr double longestPress_s = 0.5;  ///< after which a press counts as not ended
+inline constexpr double mostAmplitude_N = 30;  ///< largest amplitude that a finger commands
+inline constexpr double longestPress_s = 0.5;  ///< time after which a press counts as not ended
 inline constexpr double extensorOfAmplitude = 0.6;
 inline constexpr double capMass_kg = 0.002;
-inline constexpr double rapidTravel_m = 0.0002;  ///< by which a rapid trigger opens and closes
+inline constexpr double rapidTravel_m = 0.0002;  ///< distance at which a rapid trigger opens and closes
 
 /// Command to the finger.
 struct PressCommand {
   double amplitude_N = 1;  ///< of the flexor, > 0
   double duration_s = 0.08;
-  double lift_s = 0;  ///< from the flexor's end to the extensor's start; may be negative
+  double lift_s = 0;  ///< from the end of the flexor's pulse to the start of the extensor's; may be negative
 };
 
 /// Result of a press. Times count from the start of the command.
@@ -38,21 +38,22 @@ struct PressOutcome {
   bool ended = false;
 };
 
-/// Balance of the energy of a press, J. The muscle gave everything that is not stored or taken.
+/// Energy balance of a press, J. The muscle supplies what is stored and dissipated.
 struct PressEnergy {
   double muscle_J = 0;     ///< work of flexor and extensor on the finger
-  double taken_J = 0;      ///< by dampers and play
-  double stored_J = 0;     ///< in motion, pulp, posture spring and button, beyond what was there at the start
-  double moved_J = 0;      ///< sum of the absolute works: what an error is measured against
-  double playTaken_J = 0;  ///< the part the play took
+  double taken_J = 0;      ///< dissipated by dampers and play
+  double stored_J = 0;     ///< in motion, pulp, posture spring and button, minus the initial energy
+  double moved_J = 0;      ///< sum of the absolute works: the scale for errors
+  double playTaken_J = 0;  ///< part of `taken_J` due to play
 };
 
-/// Presses once. Deterministic; any thread. `energy`: balance of energies, if not null.
+/// Simulates one press. Deterministic; any thread. `energy`: receives the energy balance, if not null.
 bool closesContact(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
-                   const PressCommand& command);  ///< the same press, only as far as its contact
+                   const PressCommand& command);  ///< the same press, simulated only up to its contact
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy = nullptr);
-/// Two presses of one finger in the time of little more than one (lanes.h); the same as one after the other.
+/// Simulates two presses of one finger in little more time than one (lanes.h); the results equal those of
+/// single simulations.
 std::array<PressOutcome, 2> simulatePresses(const KeyTables& key, const ContactPoints& contact,
                                             const Finger& finger,
                                             const std::array<PressCommand, 2>& commands);

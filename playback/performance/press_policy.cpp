@@ -14,20 +14,21 @@ namespace detent::playback {
 
 namespace {
 
-// The weights of docs/reference/press-forecast.md; frozen.
+// The cost weights of docs/reference/press-forecast.md; they must not be changed.
 constexpr double costOfForce_per_N = 1;
 constexpr double costOfTime_per_s = 10;
 constexpr double costOfMiss = 40;
 constexpr double costOfDouble = 20;
 
-constexpr double tremor_N = 0.02;          // standard deviation of an amplitude whatever its size
+// part of an amplitude's standard deviation that does not depend on its size
+constexpr double tremor_N = 0.02;
 constexpr double depthSpreadUnfelt = 0.1;  // of the operating point, if no jump marks it
-constexpr double unfeltNotice_s = 0.25;    // command to the sight of what came
-constexpr double mostFaults = 0.05;        // misses, and doubles, at the highest rate
+constexpr double unfeltNotice_s = 0.25;    // from the command to seeing the result on the screen
+constexpr double mostFaults = 0.05;        // share of misses, and of doubles, at the highest rate
 constexpr int noiseScores = 256;
 constexpr int depthScores = 9;
 constexpr int amplitudeSteps = 36;
-constexpr double firstRatio = 1.02, ratioStep = 1.04;  // of the least amplitude that activates
+constexpr double firstRatio = 1.02, ratioStep = 1.04;  // relative to the least amplitude that activates
 
 const std::vector<double>& noise() {
   static const std::vector<double> scores = normalScores(noiseScores);
@@ -39,7 +40,7 @@ const std::vector<double>& depthNoise() {
   return scores;
 }
 
-/// Mean and spread of values that come one by one.
+/// Mean and spread of values that are added one by one.
 class Moments {
  public:
   void add(double value) {
@@ -93,7 +94,8 @@ PressStatistics statisticsOf(const PressResponse& response, const Finger& finger
   return s;
 }
 
-/// Misses that the finger expects: without a felt jump the operating point could lie elsewhere.
+/// Misses that the finger expects: without a jump that can be felt, it knows the operating point only
+/// roughly.
 double missesExpected(const PressResponse& response, const Finger& finger, const PressTask& task,
                       double amplitude_N, double missed) {
   if (task.jumpIsFelt) return missed;
@@ -111,7 +113,7 @@ double costOf(const PressStatistics& s, double missesReckoned) {
          costOfMiss * missesReckoned + costOfDouble * s.doubled;
 }
 
-/// The search of one finger; remembers the best so far.
+/// The search for one finger's plan; keeps the best one so far.
 class Search {
  public:
   Search(const KeyTables& key, const Finger& finger, const PressTask& task)
@@ -149,7 +151,8 @@ class Search {
   double highestRate_per_s_ = 0;
 };
 
-/// P(the resting finger is heavier than every force on the way down to the contact), the weight log-normal.
+/// P(the resting finger is heavier than every force up to the closing of the contact), with log-normal
+/// weight.
 double accidentalShare(const KeyTables& key, double close_m, const Finger& finger) {
   constexpr int positions = 400;
   double most_N = 0;
@@ -157,7 +160,7 @@ double accidentalShare(const KeyTables& key, double close_m, const Finger& finge
     const double depth_m = close_m * i / positions;
     most_N = std::max(most_N, key.mean_N(depth_m) + key.halfWidth_N(depth_m));
   }
-  // ln(weight) > ln(most), found without a logarithm: the score at which the weight equals the force.
+  // ln(weight) > ln(most), solved without a logarithm: finds the score at which the weight equals the force.
   double low = -8, high = 8;
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Command with which one finger presses one button at the least cost, and its result over the finger's noise
-// (docs/reference/press-forecast.md, "Fingers" and "Policy").
+// The command with which one finger presses one button at the least cost, and its results over the finger's
+// noise (docs/reference/press-forecast.md, "Fingers" and "Policy").
 
 #include <optional>
 #include <vector>
@@ -10,37 +10,38 @@
 
 namespace detent::playback {
 
-/// One button as the policy sees it.
+/// Properties of a button that the policy needs.
 struct PressTask {
   ContactPoints contact;
   bool jumpIsFelt = false;
-  std::optional<double> period_s;  ///< of a paced task: the mean cycle must fit; > 0
+  std::optional<double> period_s;  ///< of a paced task: the mean cycle must fit into it; > 0
 };
 
 /// Means over the noise of one finger. Shares in 0..1, times in s.
 struct PressStatistics {
   double peak_N = 0, impulse_Ns = 0;
-  double activation_s = 0, activationSpread_s = 0;  ///< from touch
+  double activation_s = 0, activationSpread_s = 0;  ///< from the first touch
   double commandToActivation_s = 0, commandToActivationSpread_s = 0;
-  double impactSpread_s = 0;           ///< of the time from command to the peak force
-  double cycle_s = 0;                  ///< command to end of press
-  double held_s = 0, rapidHeld_s = 0;  ///< activation to the contact's opening: as drawn, by rapid trigger
+  double impactSpread_s = 0;  ///< of the time from command to the peak force
+  double cycle_s = 0;         ///< command to end of press
+  /// from activation to the opening of the contact: at the button's reset point, and by rapid trigger
+  double held_s = 0, rapidHeld_s = 0;
   double missed = 0, doubled = 0, rapidDoubled = 0;
 };
 
-/// The plan of one finger and what it yields.
+/// The plan of one finger and its results.
 struct PressPlan {
   PressCommand command;
   PressStatistics result;
-  double accidental = 0;         ///< share of rests that activate
-  double highestRate_per_s = 0;  ///< with at most 5 % misses and 5 % doubles; 0: none is that sure
+  double accidental = 0;         ///< share of resting fingers that activate the button
+  double highestRate_per_s = 0;  ///< with at most 5 % misses and 5 % doubles; 0: not reachable
   double timePerCorrectPress_s = 0;
 };
 
-/// Standard deviation of the amplitudes of a finger that means one, N.
+/// Standard deviation of the amplitudes of a finger that intends one, N.
 double amplitudeSpread_N(const Finger& finger, double amplitude_N);
 
-/// Empty where no allowed command activates the contact, or none fits the period.
+/// Empty if no allowed command activates the contact, or if none fits the period.
 std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task);
 
 }  // namespace detent::playback

@@ -8,13 +8,13 @@ namespace detent::playback {
 namespace {
 
 constexpr double firstGuess_N = 1;
-constexpr int halvings = 10;  // of a bracket of a factor 2: to 0.1 %
+constexpr int halvings = 10;  // of an interval of a factor of 2, to 0.1 %
 
-// Where presses are simulated, as shares of the least amplitude that activates: close together where the time
-// of activation changes fast.
+// Simulated amplitudes, relative to the least that activates; closely spaced where the time of activation
+// changes fast.
 constexpr std::array shares = {0.5, 0.8, 0.95, 1.0, 1.01, 1.03, 1.07, 1.15,
                                1.3, 1.5, 1.8,  2.2, 2.8,  3.6,  4.8,  6.5};
-static_assert(shares.size() % 2 == 0);  // they go in pairs
+static_assert(shares.size() % 2 == 0);  // they are simulated in pairs
 
 ResponsePoint pointOf(const PressOutcome& o, double amplitude_N) {
   ResponsePoint p;
@@ -67,10 +67,10 @@ std::optional<PressResponse> PressResponse::measure(const KeyTables& key, const 
     if (high_N > 2 * mostAmplitude_N) return {};
   }
   double low_N = 0.5 * high_N;
-  while (high_N <= firstGuess_N && activates(low_N)) {  // a lighter button than guessed
+  while (high_N <= firstGuess_N && activates(low_N)) {  // the button is lighter than the first guess
     high_N = low_N;
     low_N *= 0.5;
-    if (low_N < 1e-6) break;  // N: as good as none
+    if (low_N < 1e-6) break;  // a micronewton moves no key
   }
   for (int i = 0; i < halvings; ++i) {
     const double middle_N = 0.5 * (low_N + high_N);

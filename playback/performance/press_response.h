@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A finger's presses of one duration and lift over their amplitude: a few simulated presses, linear in
-// between.
+// A finger's presses of one duration and lift as a function of their amplitude: a few are simulated, the
+// others interpolated linearly.
 
 #include <cstddef>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// One press, by its amplitude. Times in s from the command; of presses that do not activate those of the
+/// One press, by its amplitude. Times in s from the command; for a press that does not activate, those of the
 /// contact are 0.
 struct ResponsePoint {
   double amplitude_N = 0;
@@ -23,16 +23,17 @@ struct ResponsePoint {
 /// Immutable; any thread.
 class PressResponse {
  public:
-  /// Empty where nothing up to mostAmplitude_N closes the contact.
+  /// Empty if no amplitude up to mostAmplitude_N closes the contact.
   static std::optional<PressResponse> measure(const KeyTables& key, const ContactPoints& contact,
                                               const Finger& finger, double duration_s, double lift_s);
 
   /// The least amplitude that closes the contact, to 0.1 %.
   double least_N() const { return least_N_; }
-  /// The least amplitude that gets so deep; the largest simulated one where none does.
+  /// The least amplitude that reaches this depth; the largest simulated one if none does.
   double leastReaching_N(double depth_m) const;
-  /// Between simulated presses; never between one that activates and one that does not. Beyond them the
-  /// nearest. `place`: 0 at first; of amplitudes that rise from call to call it keeps where the last one lay.
+  /// Interpolates between simulated presses, but never between one that activates and one that does not.
+  /// Outside of them returns the nearest. `place`: 0 at first; keeps the position of the last amplitude for
+  /// calls with increasing amplitudes.
   ResponsePoint at(double amplitude_N, std::size_t& place) const;
 
  private:

@@ -14,7 +14,7 @@ double timedPressError(double window_s, double interval_s, double activationSpre
   const double motor_s = timing.spread * interval_s;
   const double spread_s = std::sqrt(motor_s * motor_s + activationSpread_s * activationSpread_s);
   const double late_s = (1 - timing.aim) * window_s, early_s = timing.aim * window_s;
-  // The shares are known to 1e-14: a window that is never missed would else be missed less than never.
+  // The shares are accurate to 1e-14, so a window that is never missed could get a slightly negative share.
   return std::max(0.0, 1 - (normalShare(late_s / spread_s) - normalShare(-early_s / spread_s)));
 }
 

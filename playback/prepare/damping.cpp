@@ -7,8 +7,8 @@ namespace detent::playback {
 
 namespace {
 
-// b (T + delay) / m: at 1 a sampled damper oscillates by itself; a quarter leaves room for the estimate of
-// velocity.
+// Largest b (T + delay) / m. At 1 a sampled damper oscillates by itself; a quarter leaves room for the
+// estimate of velocity.
 constexpr double dampingOfMass = 0.25;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button's damping b(x) as a polyline: what both the force law and its stability ask of it.
+// A button's damping b(x) as a polyline, with what force law and stability need of it.
 
 #include <vector>
 
@@ -9,13 +9,13 @@
 
 namespace detent::playback {
 
-/// Smallest over the whole travel; 0 without any.
+/// Smallest damping over the whole travel; 0 without any.
 double leastDamping(const std::vector<DampingPoint>& points);
-/// Makes it nowhere less than `least_Ns_per_mm`; gives the largest addition.
+/// Raises the damping to at least `least_Ns_per_mm` everywhere; returns the largest addition.
 double raiseDamping(std::vector<DampingPoint>& points, double least_Ns_per_mm, double travel_mm);
 
-/// Largest damping of a device: sampled and delayed damping must stay a small part of the effect of its mass
-/// in that time.
+/// Largest damping that a device may render: a sampled and delayed damping force must change the speed of the
+/// device's mass only a little within that time.
 double largestDamping_Ns_per_mm(const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Properties of one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`, kept in
-// a text file (study/profile_file.h, docs/reference/device-profile.md), used when a button is prepared for
-// it.
+// Properties of one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`, stored
+// in a text file (study/profile_file.h, docs/reference/device-profile.md), and used when a button is prepared
+// for the device.
 
 #include <cmath>
 #include <optional>
@@ -18,16 +18,16 @@ namespace detent::playback {
 struct Resonance {
   double frequency_Hz = 0;
   double q = 1;
-  double gain_dB = 0;  ///< above the response beside it
+  double gain_dB = 0;  ///< above the response around it
 };
 
 /// The actuator that turns the signal into movement, and its limits.
 struct Transducer {
-  double power_W = 0;  ///< it bears for ever; 0: unknown, no limit
+  double power_W = 0;  ///< continuous power that it tolerates; 0: unknown, no limit
   double impedance_ohm = 8;
-  double fullScale_V = 0;  ///< at its terminals where the signal is at full scale
+  double fullScale_V = 0;  ///< voltage at its terminals for a signal at full scale
 
-  /// Share of full scale that even a square wave may have for ever: amplitude^2 / impedance <= power.
+  /// Share of full scale that even a square wave may have continuously: amplitude^2 / impedance <= power.
   double highestLevel() const {
     if (!(power_W > 0) || !(fullScale_V > 0)) return 1;
     const double level = std::sqrt(power_W * impedance_ohm) / fullScale_V;
@@ -41,7 +41,7 @@ struct MeasuredLatency {
   double mean_s = 0, sd_s = 0, p95_s = 0;
 };
 
-/// Plain value. An empty profile is a perfect device: flat response, gain 1, newtons from the sensor.
+/// Plain value. An empty profile is an ideal device: flat response, gain 1, newtons from the sensor.
 struct DeviceProfile {
   std::string name;
   double gain = 1;                       ///< > 0, <= 10; applied before the limiter
@@ -50,7 +50,7 @@ struct DeviceProfile {
   Transducer transducer;
   SensorCalibration sensor;
   std::optional<MeasuredLatency> latency;
-  /// Felt level of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a
+  /// Felt level of a sine of full scale at 250 Hz, without the resonances, dB above the threshold of a
   /// fingertip; empty: not measured.
   std::optional<double> fullScale_dB;
 };

@@ -7,9 +7,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double halfOfRange = 0.25;  // the rest is for what a heavy handle overshoots
-// Waves of the chirp are drawn by so many periods at least; where encoder steps are coarse, it shakes
-// farther.
+constexpr double halfOfRange = 0.25;  // the rest is room for the overshoot of a heavy handle
+// Each wave of the chirp has at least this many periods; with coarse encoder steps, its amplitude is larger.
 constexpr double periodsPerWave = 7, quickest_Hz = 150, slowestTest_Hz = 8, shake_mm = 0.6, shakeSteps = 30;
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double window_s = 0.010;
-constexpr double anyRate_Hz = 192000;  // the highest: there every band lies where it is meant
+constexpr double anyRate_Hz = 192000;  // the highest rate, at which every band is at its intended frequency
 
 double dB(double ratio) { return 20 * std::log10(ratio); }
 
@@ -19,7 +19,8 @@ double raised_dB(double band_Hz, double q, double gain_dB, double frequency_Hz) 
   return dB(magnitude(peaking(anyRate_Hz, band_Hz, q, gain_dB), anyRate_Hz, frequency_Hz));
 }
 
-/// Mean square of a saw-tooth's strongest stretch, at most `window_s` long and seen over all of that.
+/// Mean square of the strongest part of a saw-tooth envelope, averaged over `window_s` even if the envelope
+/// is shorter.
 double meanSquareOfSaw(double duration_s) {
   const double rest = std::max(0.0, 1 - window_s / duration_s);
   return duration_s / window_s * (1 - rest * rest * rest) / 3;

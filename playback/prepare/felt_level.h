@@ -10,8 +10,8 @@
 
 namespace detent::playback {
 
-/// A sine of full scale at 250 Hz on a device whose level nobody measured: MPEG's haptics reference model
-/// (ISO/IEC 23090-31).
+/// Assumed level of a sine of full scale at 250 Hz on a device whose level was not measured: MPEG's haptics
+/// reference model (ISO/IEC 23090-31).
 inline constexpr double assumedFullScale_dB = 45;
 
 inline double fullScale_dB(const DeviceProfile& device) {
@@ -26,12 +26,12 @@ inline constexpr double threshold_m_per_s2 = 0.25;
 /// flanks, 0 at best.
 double pacinianWeight_dB(double frequency_Hz);
 
-/// Gain of the device, its equalizer and its gain setting at a frequency.
+/// Gain at a frequency by the device's response, its equalizer and its gain setting.
 double raisedBy_dB(const DeviceProfile& device, const HapticProgram& program, double frequency_Hz);
 
-/// A burst's strongest 10 ms, dB above threshold; no more than silence (-infinity) where it has no amplitude.
+/// Level of a burst's strongest 10 ms, dB above threshold; -infinity if its amplitude is 0.
 double feltLevel_dB(const Burst& burst, const DeviceProfile& device, const HapticProgram& program);
-/// Level of grains that are so dense that they are one tone.
+/// Level of grains that follow each other so closely that they are one tone.
 double feltSlopeLevel_dB(const DeviceProfile& device, const HapticProgram& program);
 
 }  // namespace detent::playback

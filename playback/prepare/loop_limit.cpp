@@ -13,21 +13,21 @@ namespace {
 
 constexpr double mmPerM = 1000;
 constexpr double flattest_N_per_mm = 1e-3;
-constexpr int halvings = 14;          // of a range of six decades: to 0.1 %
-constexpr double usableShare = 0.92;  // of what was found: encoder steps are left out
+constexpr int halvings = 14;          // of a range of six decades, to 0.1 %
+constexpr double usableShare = 0.92;  // of the limit found, because encoder steps are left out
 constexpr double timing_s =
-    10e-6;  // a delay may be that much longer: what identify-device is off by (19 µs at worst)
-constexpr double start_mm = 1, escaped_mm = 100;  // the loop is linear: only their ratio counts
+    10e-6;  // allowance for the error of the measured delay (identify-device: 19 µs at worst)
+constexpr double start_mm = 1, escaped_mm = 100;  // the loop is linear, so only their ratio matters
 constexpr double settled_s = 0.3,
-                 watched_s = 0.4;               // stable if the amplitude stays below the start from then on
-constexpr double perRadian = 50;                // time steps in one radian of a swing
-constexpr int fewestSteps = 8, mostSteps = 64;  // in one period of the law
+                 watched_s = 0.4;               // stable if the amplitude stays below the start until then
+constexpr double perRadian = 50;                // time steps per radian of an oscillation
+constexpr int fewestSteps = 8, mostSteps = 64;  // time steps per period of the law
 
 double latest_s(const ForceDeviceProfile& device) {
   return device.delay_s + std::max(timing_s, device.jitter_s);
 }
 
-/// A handle on a spring of the law, let go 1 mm beside its rest.
+/// A handle on a spring of the law, released 1 mm beside its rest.
 class Swing {
  public:
   Swing(const ForceDeviceProfile& device, double rate_Hz, double slope_N_per_mm, double damping_Ns_per_mm)
@@ -62,7 +62,7 @@ class Swing {
   }
 
  private:
-  /// Amplitude of the swing in one period.
+  /// Amplitude of the oscillation in one period.
   double onePeriod() {
     const double estimate_mm_per_s = velocity_.update(position_mm_);
     const double sent_N = slope_N_per_mm_ * (position_mm_ + lead_s_ * estimate_mm_per_s) +
@@ -78,7 +78,8 @@ class Swing {
     return farthest_mm;
   }
 
-  /// One time step under a force that arrives: of second order, or half a step would count as delay.
+  /// One time step under the arriving force; of second order, because otherwise half a step would count as
+  /// delay.
   void move(double arrives_N) {
     const double mean_N = arrives_N + meanShare_ * (motor_N_ - arrives_N);
     motor_N_ += follows_ * (arrives_N - motor_N_);
@@ -93,12 +94,12 @@ class Swing {
   int steps_;
   double step_s_;
   VelocityEstimator velocity_;
-  std::vector<double> late_;  // forces under way, one a time step
-  double laterShare_;         // of the step in which a force arrives, the part before it does
+  std::vector<double> late_;  // forces under way, one per time step
+  double laterShare_;         // of the step in which a force arrives, the part before its arrival
   std::size_t newest_ = 0;
   double position_mm_ = start_mm, velocity_mm_per_s_ = 0, motor_N_;
   double follows_, meanShare_,
-      resists_;  // of the lag in one step: all of it, and in the mean; of the damping
+      resists_;  // decay of the lag within one step, at its end and on average; factor of the damping
 };
 
 bool calmsDown(const ForceDeviceProfile& device, double rate_Hz, double slope_N_per_mm,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Steepest spring at which a device, sampled and late as it is, comes to rest by itself.
+// Steepest spring on which a device, sampled and delayed as it is, comes to rest by itself.
 
 #include <vector>
 
@@ -8,20 +8,20 @@
 
 namespace detent::playback {
 
-/// Slope in N/mm up to which the device's handle, with no finger on it and no friction, swings less and less
-/// on a spring with `damping_Ns_per_mm`. The loop of handle, velocity estimate, law with its lead, delay,
-/// hold and lag is simulated without encoder steps, and the slope is halved in. Damping may be below 0: a
-/// force that falls with speed. The result is 5 % below the limit found; at most the device's largest slope;
-/// 0 if it swings on any. `rate_Hz` > 0. Any thread; allocates; some 2 ms.
+/// Largest slope in N/mm at which oscillations of the device's handle, without finger and friction, decay on
+/// a spring with `damping_Ns_per_mm`. The loop of handle, velocity estimate, law with prediction, delay, hold
+/// and lag is simulated without encoder steps, and the slope is found by bisection. Damping may be negative:
+/// a force that decreases with speed. The result is 5 % below the limit found and at most the device's
+/// largest slope; 0 if no slope is stable. `rate_Hz` > 0. Any thread; allocates; some 2 ms.
 double loopLimit_N_per_mm(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm);
 
-/// The same over a range of damping, at a few places and straight between them.
+/// The same limit over a range of damping, computed at a few values and linear between them.
 class LoopLimits {
  public:
   /// `low` <= `high`.
   LoopLimits(const ForceDeviceProfile& device, double rate_Hz, double low_Ns_per_mm, double high_Ns_per_mm);
   double at_N_per_mm(double damping_Ns_per_mm) const;
-  /// Least slope limit over the whole range.
+  /// Smallest limit over the whole range.
   double least_N_per_mm() const;
 
  private:

@@ -35,7 +35,7 @@ enum class EqualizerUse {
   full
 };
 
-/// Source of the frequency of the jumps.
+/// Source of the jumps' frequency.
 enum class JumpFrequencySource {
   paper,   ///< pressJumpFrequency_Hz and releaseJumpFrequency_Hz
   profile  ///< the profile's resonance nearest to pressJumpFrequency_Hz; release in the same ratio as the two
@@ -45,25 +45,26 @@ enum class JumpFrequencySource {
 /// Relative levels of slope, jumps and bottom-out.
 enum class Feel {
   paper,  ///< as K&L have it
-  clear   ///< the jumps come through, and a denser slope is felt as stronger (docs/develop/decisions/0915)
+  clear   ///< the jumps stand out, and a denser slope feels stronger (docs/develop/decisions/0915)
 };
 
 inline constexpr auto feels = named<Feel>({{"paper", Feel::paper}, {"clear", Feel::clear}});
 
-/// The rules of Feel::clear, each worth what docs/develop/decisions/0915 says.
+/// The rules of Feel::clear; docs/develop/decisions/0915 has the effect of each.
 struct ClearFeel {
-  /// amplitude by the root of the paper's: twice the area is 3 dB more, and few jumps end at full scale
+  /// amplitude by the square root of the paper's: twice the area is 3 dB more, and few jumps reach full scale
   bool jumpsByRoot = true;
-  /// The slope stays so far below the weakest jump of its stroke, the bottom-out below the jump before it, by
-  /// felt_level.h; neither is raised. > 0.
+  /// Distance in dB by felt_level.h that the slope stays below the weakest jump of its stroke, and the
+  /// bottom-out below the jump before it; neither is raised. > 0.
   double jumpAbove_dB = 8;
   double slopeUnderJump = 0.1;  ///< level of the slope while a jump sounds; [0, 1]
-  double longestBottomOutWait_s =
-      0.05;  ///< it begins when the jump before it has ended; tactile feedback may be so late (TAP 2014)
-  double loudestSpeed_mm_per_s =
-      200;  ///< at which a grain has its amplitude; slower ones are quieter, 1.9 dB per halving
-  double plainSlope_N_per_mm = 0.32;  ///< whose grains have their amplitude; > 0
-  /// Twice as steep is louder by 6.02 times this, dB, up to full scale; [0, 2]
+  /// the bottom-out begins when the jump before it has ended, at most this much later; tactile feedback
+  /// may be so late (TAP 2014)
+  double longestBottomOutWait_s = 0.05;
+  /// grain rate at which a grain has its full amplitude; slower grains are quieter, by 1.9 dB per halving
+  double loudestSpeed_mm_per_s = 200;
+  double plainSlope_N_per_mm = 0.32;  ///< slope whose grains have their plain amplitude; > 0
+  /// A slope twice as steep is louder by 6.02 dB times this, up to full scale; [0, 2]
   double levelBySteepness = 0.6875;
 };
 
@@ -77,21 +78,23 @@ struct PlaybackSettings {
       150;  ///< "a 150Hz sinusoidal wave with an inverted saw-tooth envelope"; (0, 2000]
   double grainDuration_s =
       0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
-  double grainAmplitude = 0.5;  ///< not given by K&L, only that jumps are clearly stronger; [0, 1]
+  double grainAmplitude = 0.5;  ///< not given by K&L, who state only that jumps are clearly stronger; [0, 1]
   GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/develop/decisions/0900
-  double highPass_Hz = 20;  ///< of the grains: nothing constant reaches a transducer; 0: none; [0, 100]
+  /// of the grains, so that no constant signal reaches a transducer; 0: none; [0, 100]
+  double highPass_Hz = 20;
   LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/develop/decisions/0900
   double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]
   unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (docs/develop/decisions/0900)
 
   // Jump. K&L, "Jump Feedback Generation".
   double jumpDurationPerTravel_s_per_mm =
-      0.020;                      ///< "duration ... proportional to the change of displacement"; > 0
-  double shortestJump_s = 0.005;  ///< 2 cycles of 390 Hz: shorter bursts carry no pitch and vanish; > 0
-  double longestJump_s = 0.150;   ///< >= shortestJump_s, <= 1
+      0.020;  ///< "duration ... proportional to the change of displacement"; > 0
+  /// 2 cycles of 390 Hz: a shorter burst has no pitch and is hardly felt; > 0
+  double shortestJump_s = 0.005;
+  double longestJump_s = 0.150;  ///< >= shortestJump_s, <= 1
   double jumpAmplitudePerArea_per_mJ =
       2.5;                    ///< "amplitude ... proportional to the area"; full scale at 0.4 mJ; > 0
-  double faintestJump = 0.1;  ///< a tactile point is never silent; [0, 1]
+  double faintestJump = 0.1;  ///< so that every tactile point is felt; [0, 1]
   JumpFrequencySource jumpFrequencySource = JumpFrequencySource::paper;
   double pressJumpFrequency_Hz = 390;  ///< "the resonant frequency of the device, which is 390Hz"; (0, 2000]
   double releaseJumpFrequency_Hz = 410;  ///< "a slightly higher frequency (410Hz)"; (0, 2000]
@@ -103,15 +106,17 @@ struct PlaybackSettings {
   double bottomOutAmplitude = 0.7;  ///< not given by K&L; [0, 1]
 
   Feel feel = Feel::paper;
-  ClearFeel clear;  ///< used by Feel::clear alone
+  ClearFeel clear;  ///< used only by Feel::clear
 
   // Following the finger.
   SectionSettings sections;  ///< what counts as a tactile point (model/sections.h)
-  double hysteresis_N =
-      0;  ///< turning back; 0: from the sensor's noise (docs/develop/decisions/0906); [0, 10]
+  /// force by which the stroke turns back; 0: from the sensor's noise (docs/develop/decisions/0906); [0,
+  /// 10]
+  double hysteresis_N = 0;
   double hysteresis_mm = 0.01;  ///< for displacement inputs; (0, 1]
-  double rearm_N = 0;  ///< back from a tactile force before its jump can fire again, at most half the way to
-                       ///< the stroke's start; 0: 2.5 times the hysteresis; [0, 10]
+  /// decrease from a tactile force after which its jump can fire again, at most half the way to the stroke's
+  /// start; 0: 2.5 times the hysteresis; [0, 10]
+  double rearm_N = 0;
 
   // Time.
   EventPlacement placement = EventPlacement::timeStamped;  ///< docs/develop/decisions/0901
@@ -120,12 +125,12 @@ struct PlaybackSettings {
 
   // Output.
   double limiterCeiling = 1;  ///< (0, 1]
-  /// "the frequency of the signal is predetermined from the resonant frequency of the device": flattened, the
-  /// jump would lose what it was put there for (docs/develop/decisions/0907).
+  /// "the frequency of the signal is predetermined from the resonant frequency of the device": an equalizer
+  /// that flattened this resonance would weaken the jump (docs/develop/decisions/0907).
   EqualizerUse equalizer = EqualizerUse::sparingJumps;
 };
 
-/// Settings that are played unless the paper's own are requested.
+/// The settings that are used unless those of the paper are requested.
 inline PlaybackSettings usualSettings() {
   PlaybackSettings settings;
   settings.feel = Feel::clear;

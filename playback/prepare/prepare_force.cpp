@@ -20,23 +20,23 @@ namespace {
 
 constexpr double shortestTravel_mm = 0.1, longestTravel_mm = 100;
 constexpr double slowest_Hz = 50, fastest_Hz = 20000;
-// Below its rest a state holds the handle where a button's cap would stop, over a way and with a force that
-// cannot surprise.
+// Below its rest a state holds the handle where a button's cap would stop, over a distance and with a force
+// too small to startle.
 constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
-// A state that has come back to within this of its rest is there.
+// A state within this distance of its rest has come back.
 constexpr double settle_mm = 0.05;
 constexpr double widestPlayOfTravel = 0.25;
 constexpr double noticedCrossing_N = 0.001;
-// Graphs at several speeds may be off by measuring noise, as strokes may (validation.h): of the work of a
-// press.
+// Share of a press's work by which graphs at several speeds may deviate because of measuring noise, as
+// strokes may (validation.h).
 constexpr double mostFedShare = 0.02;
-// The position of a moving handle is predicted to the next step, so the felt slope up to the operating point
-// is about the drawn one.
+// Share of the drawn force up to the operating point that must be felt. The position of a moving handle is
+// predicted to the next step, so the felt slope is about the drawn one.
 constexpr double risenShare = 0.96;
-// The push before the first force: more than the friction of a preset, too little to hurt; of a measured
-// device more than its friction.
+// The push before the first force: more than the friction of a preset (for a measured device, of that
+// device), but too little to hurt.
 constexpr double largestPush_N = 0.1, pushedFrictions = 1.5, followedSteps = 4;
-// An encoder is watched under more force than this, and than so many times the friction.
+// An encoder is watched under forces above this, and above this multiple of the friction.
 constexpr double leastWatched_N = 0.25, watchedFrictions = 5;
 
 Failure outOfRange(const Subject& value, Message place, Message problem, const Message& remedy) {
@@ -66,25 +66,25 @@ Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
   return Done{};
 }
 
-/// Below its start a stroke holds the handle back to it, and lets go of one that is far away.
+/// Force below the start of a stroke: pulls the handle to the start, and releases one that is far away.
 double restrained_N(double start_N, double below_mm, double slope_N_per_mm) {
   const double held_N = std::max(-restraint_N, start_N - slope_N_per_mm * below_mm);
   const double let_mm = below_mm - std::max(0.0, start_N) / slope_N_per_mm - restraint_mm;
   return let_mm <= 0 ? held_N : held_N * std::max(0.0, 1 - let_mm / restraintEnd_mm);
 }
 
-/// A curve within the device's force; after its end follows the end stop.
+/// Force of a curve within the device's limit; beyond its end, that of the end stop.
 double forceOn(const StrokeCurve& curve, double at_mm, double slope_N_per_mm, double largest_N) {
   const double above_mm = std::max(0.0, at_mm - curve.end_mm());
   return std::clamp(curve.force_N(at_mm), -largest_N, largest_N) + slope_N_per_mm * above_mm;
 }
 
-/// The force with which a curve begins; of a vertical rise at its start, the lower end.
+/// The force at the start of a curve; for a vertical rise there, its lower end.
 double startForce_N(const StrokeCurve& curve, double largest_N) {
   return std::clamp(curve.knots().front().force_N, -largest_N, largest_N);
 }
 
-/// A state's graphs by rising speed, or its only one.
+/// A state's graphs by increasing speed, or its single one.
 using Graphs = std::vector<const ForceGraph*>;
 
 ForceCurveRow& curveRow(ForceStateTable& t, std::size_t speed, std::size_t row) {
@@ -92,10 +92,10 @@ ForceCurveRow& curveRow(ForceStateTable& t, std::size_t speed, std::size_t row) 
   return t.faster[speed - 1][row];
 }
 
-/// Energy that graphs at several speeds would make, with its place.
+/// Energy that graphs at several speeds would create together, with its place.
 struct FedBySpeeds {
   double fed_mJ = 0, at_mm = 0, value = 0, limit = 0;
-  std::size_t pressed = 0, released = 0;  ///< of the worst place
+  std::size_t pressed = 0, released = 0;  ///< speeds of the worst combination
 
   void add(double each_mJ, double size, const FedBySpeeds& there) {
     const double sum_mJ = fed_mJ + each_mJ;
@@ -131,7 +131,7 @@ class ForcePreparation {
   }
 
  private:
-  /// Device and button data with which the guard distinguishes a fault from a press.
+  /// Data of device and button by which the guard distinguishes a fault from a press.
   void setChecks() {
     ForceProgram& p = prepared_.program;
     p.limits.movedMass_kg = device_.mass_kg;
@@ -141,14 +141,14 @@ class ForcePreparation {
     if (device_.watchesEncoder)
       p.limits.deadCountAbove_N = std::max(leastWatched_N, watchedFrictions * device_.friction_N);
     p.limits.deadCountFrom_mm = std::max(p.limits.deadCountFrom_mm, 2 * device_.step_mm);
-    // With less force than the push itself there is nothing to be afraid of.
+    // A force limit below the push itself is harmless, so no proof is needed.
     p.proof.present = device_.provesDirection && p.limits.force_N > largestPush_N;
     if (device_.measured) p.proof.push_N = std::max(p.proof.push_N, pushedFrictions * device_.friction_N);
     p.proof.push_N = std::min(p.proof.push_N, p.limits.force_N);
     p.proof.way_mm = std::max(p.proof.way_mm, followedSteps * device_.step_mm);
   }
 
-  /// With several speeds the worst displacement is reported for all.
+  /// With several speeds, only the worst displacement is reported.
   void remark(ForceRemarkKind kind, std::size_t state, double at_mm, double value, double limit) {
     std::vector<ForceRemark>& remarks = prepared_.summary.remarks;
     if (prepared_.program.states[state].speedCount > 1) {
@@ -165,7 +165,7 @@ class ForcePreparation {
   void prepareState(std::size_t s) {
     const ButtonState& from = button_.states()[s];
     ForceStateTable& to = prepared_.program.states[s];
-    // The paper's law knows no speed but v itself.
+    // The law of Shrestha's paper depends on speed only through v itself.
     const bool graphs = settings_.law == ForceLawKind::graph;
     const std::vector<double> speeds = graphs ? speedsOf(from) : std::vector<double>{};
     Graphs members{&from.graph};
@@ -197,14 +197,14 @@ class ForcePreparation {
     prepared_.summary.rowSpacing_mm = std::max(prepared_.summary.rowSpacing_mm, to.spacing_mm);
   }
 
-  /// Force that a finger can get back at a displacement, at any speed.
+  /// Largest force that a finger can get back at a displacement, at any speed.
   static float strongestRelease_N(ForceStateTable& t, std::size_t speeds, std::size_t row) {
     float most_N = t.rows[row].release_N;
     for (std::size_t k = 1; k < speeds; ++k) most_N = std::max(most_N, curveRow(t, k, row).release_N);
     return most_N;
   }
 
-  /// Range in which graphs are compared: on a vertical rise a tiny displacement is any force.
+  /// Range in which graphs are compared, without vertical rises, where a tiny displacement is a large force.
   static std::pair<double, double> comparedOn(const Graphs& members) {
     double from_mm = 0, to_mm = longestTravel_mm;
     for (const ForceGraph* graph : members)
@@ -217,9 +217,10 @@ class ForcePreparation {
     return {from_mm, to_mm};
   }
 
-  // Whatever is pressed at one speed and released at another takes energy: no release lies above a press of
-  // any speed; and a force that falls with speed drives the handle no harder than its damper takes, one that
-  // rises damps no more than its mass bears. docs/develop/decisions/1111-graphs-at-several-speeds.md
+  // Ensures that pressing at one speed and releasing at another takes energy: no release lies above a press
+  // of any speed. A force that decreases with speed drives the handle no more than its damper absorbs, and
+  // one that increases damps no more than its mass allows.
+  // docs/develop/decisions/1111-graphs-at-several-speeds.md
   void limitSpeeds(const Graphs& members, const ButtonState& from, ForceStateTable& to, std::size_t s) {
     const SpeedDamping allowed = renderedSpeedDamping(from, device_, 1 / prepared_.program.period_s);
     const auto [from_mm, to_mm] = comparedOn(members);
@@ -275,8 +276,8 @@ class ForcePreparation {
     if (damped.value > 0) remark(ForceRemarkKind::speedLimited, s, damped.at_mm, damped.value, damped.limit);
   }
 
-  /// A press alone is released with the least of its forces: with any other a press at one speed would pay
-  /// for a release at another.
+  /// Without a release curve, all speeds are released with the smallest press force; otherwise a press at one
+  /// speed would supply energy for a release at another.
   static void shareLeast(ForceStateTable& to, std::size_t speeds, std::size_t row) {
     float least_N = to.rows[row].press_N;
     for (std::size_t k = 1; k < speeds; ++k) least_N = std::min(least_N, curveRow(to, k, row).press_N);
@@ -307,7 +308,7 @@ class ForcePreparation {
                    "detent-graph convert --speed V");
   }
 
-  // A press that lies below its release would make energy: there both have the release's force.
+  // A press below its release would create energy, so there both get the force of the release.
   void setStrokes(const StrokeCurve& press, const StrokeCurve& release, ForceStateTable& to, std::size_t s,
                   std::size_t speed) {
     fill(release, beforeRelease(press, release), to, &ForceCurveRow::release_N, speed);
@@ -350,15 +351,15 @@ class ForcePreparation {
 
   using Force = std::function<double(double at_mm)>;
 
-  /// Held back to a curve's start.
+  /// Force that holds the handle at a curve's start.
   Force restOf(const StrokeCurve& curve) const {
     return [&curve, start_N = startForce_N(curve, device_.limits.force_N), slope = slope_](double at_mm) {
       return restrained_N(start_N, curve.start_mm() - at_mm, slope);
     };
   }
 
-  // Nothing is known about a press that begins deeper than the release ends: there it has the release's
-  // force.
+  // If a press begins deeper than the release ends, its force before that is unknown, and that of the release
+  // is used.
   Force beforePress(const StrokeCurve& press, const StrokeCurve& release) const {
     if (release.start_mm() >= press.start_mm()) return restOf(press);
     return
@@ -367,8 +368,8 @@ class ForcePreparation {
         };
   }
 
-  // A self-locking state comes to rest where its release ends; a momentary button has to come back to where
-  // the press began.
+  // A self-locking state comes to rest where its release ends; a momentary button must return to where its
+  // press began.
   Force beforeRelease(const StrokeCurve& press, const StrokeCurve& release) const {
     if (button_.selfLocking() || press.start_mm() >= release.start_mm()) return restOf(release);
     const double largest_N = device_.limits.force_N, start_N = startForce_N(release, largest_N);
@@ -382,8 +383,8 @@ class ForcePreparation {
     return t.first_mm + static_cast<double>(row) * t.spacing_mm;
   }
 
-  /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later,
-  /// steeper falls last longer, so a peak keeps its force.
+  /// Fills a stroke's forces into the table, limiting slopes to what the device can render: steep rises start
+  /// later, steep falls last longer, so a peak keeps its force.
   void fill(const StrokeCurve& curve, const Force& beforeStart, ForceStateTable& to,
             float ForceCurveRow::*force, std::size_t speed) const {
     const double change_N = slope_ * to.spacing_mm;
@@ -400,8 +401,8 @@ class ForcePreparation {
 
   void remarkSteepness(const StrokeCurve& curve, std::size_t s) {
     double rise = 0, rise_mm = 0, fall = 0, fall_mm = 0;
-    const double narrowest_mm =
-        curve.travel_mm() / maxForceRows;  // of a table's capacity; a vertical rise is no steeper in it
+    // of a table's capacity; a vertical rise cannot be steeper than one row
+    const double narrowest_mm = curve.travel_mm() / maxForceRows;
     for (std::size_t i = 1; i <= maxForceRows; ++i) {
       const double to_mm = curve.start_mm() + static_cast<double>(i) * narrowest_mm;
       const double slope = (curve.force_N(to_mm) - curve.forceBefore_N(to_mm - narrowest_mm)) / narrowest_mm;
@@ -460,12 +461,12 @@ class ForcePreparation {
   void setActuation(const ButtonState& from, const StrokeCurve& press, const StrokeCurve& release,
                     ForceStateTable& to) {
     double acts_mm =
-        press.end_mm();  // without a stated operating point: where the last jump ends, else at the bottom
+        press.end_mm();  // without a stated operating point: the end of the last jump, else the bottom
     for (const Section& section : sectionsOf(press, Stroke::press)) {
       if (section.kind == SectionKind::jump) acts_mm = section.to_mm;
     }
     to.rest_mm = release.start_mm();
-    // Where the operating point is a rest itself, a press has to pass the rest before it can come back to it.
+    // If the operating point is a rest itself, a press must move beyond the rest before it can return to it.
     const double leave_mm = std::max(press.start_mm(), to.rest_mm) + 2 * prepared_.program.law.settle_mm;
     const double last_mm = press.end_mm() - 2 * device_.step_mm;
     const double drawn_mm = from.operatingPoint_mm.value_or(acts_mm);
@@ -473,8 +474,8 @@ class ForcePreparation {
     to.operating_mm = std::min(std::max(risen_mm, leave_mm), std::max(last_mm, leave_mm));
   }
 
-  /// Displacement, from an operating point on, at which a press first has its drawn force: a softened rise
-  /// has it later than drawn.
+  /// Displacement, starting at an operating point, at which a press first has its drawn force; a limited rise
+  /// reaches it later than drawn.
   double risenTo_mm(const ForceStateTable& t, double operating_mm, double drawn_N) const {
     const double force_N = risenShare * std::min(drawn_N, device_.limits.force_N);
     const auto rowAt = static_cast<std::size_t>(std::max(0.0, (operating_mm - t.first_mm) / t.spacing_mm));
@@ -498,8 +499,8 @@ class ForcePreparation {
       prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoStop_mm(t, last.*force);
   }
 
-  // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the
-  // slope limit.
+  // Inside its band the play is an additional spring, (press - release) / 2r, which together with the curve
+  // must satisfy the slope limit.
   void setPlayRadius() {
     double radius_mm = 2 * device_.step_mm;
     for (std::size_t s = 0; s < prepared_.program.stateCount; ++s) {
@@ -508,7 +509,7 @@ class ForcePreparation {
       for (std::size_t i = 1; i < t.rowCount; ++i) {
         double apart_N = static_cast<double>(t.rows[i].press_N - t.rows[i].release_N);
         double rise = static_cast<double>(t.rows[i].press_N - t.rows[i - 1].press_N) / t.spacing_mm;
-        // One stroke is that of the lowest speed, the other any.
+        // Of two compared strokes one is that of the lowest speed, the other of any speed.
         for (std::size_t k = 1; k < t.speedCount; ++k) {
           const ForceCurveRow& row = t.faster[k - 1][i];
           apart_N = std::max({apart_N, static_cast<double>(row.press_N - t.rows[i].release_N),
@@ -535,7 +536,7 @@ class ForcePreparation {
   PreparedForce prepared_;
 };
 
-/// Beyond a device's reach every reading is absurd: a press to the bottom would lose its force on the way.
+/// Beyond a device's reach every reading is rejected, so a full press would lose its force on the way.
 Result<Done> checkTravel(const ButtonState& state, const ForceDeviceProfile& device) {
   const Message place = state.name.empty() ? Message() : Message("state %1", state.name);
   const double travel_mm = state.graph.travel_mm(), end_mm = state.graph.press().end_mm(),

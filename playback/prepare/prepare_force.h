@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Prepares a button for the force loop of a device. Prepares only parts that the button has: no release curve
-// if it equals the press curve, no damping without damping, no second state for a momentary button.
+// Prepares a button for the force loop of a device. Only parts that the button has are prepared: no separate
+// release if it equals the press curve, no damping table without damping, no second state for a momentary
+// button.
 
 #include <cstddef>
 #include <optional>
@@ -14,14 +15,15 @@
 
 namespace detent::playback {
 
-/// graph: both curves, joined by a play operator. spring: the paper's law, one curve k(x) x and b(x) v.
+/// graph: both curves, joined by a play operator. spring: the law of Shrestha's paper, one curve k(x) x and
+/// b(x) v.
 enum class ForceLawKind : std::uint8_t { graph, spring };
 
 struct ForceSettings {
   ForceLawKind law = ForceLawKind::graph;
   VelocityMethod velocity = VelocityMethod::kalman;
   std::optional<double> rate_Hz;     ///< 50..20000; none: the device's own
-  bool passivityController = false;  ///< damps when the observer's balance falls below 0
+  bool passivityController = false;  ///< adds damping when the energy balance of the observer falls below 0
 };
 
 /// Properties of the button that a device cannot render.
@@ -29,13 +31,13 @@ enum class ForceRemarkKind : std::uint8_t {
   bottomOutSoftened,  ///< value: steepest rise, limit: rendered (N/mm)
   fallSoftened,       ///< value: steepest fall, limit: rendered (N/mm)
   forceClipped,       ///< value: strongest force, limit: of the device (N)
-  strokesCross,       ///< value: how far the release lies above the press (N); rendered as equal there
+  strokesCross,       ///< value: how far the release lies above the press (N); both are rendered equal there
   dampingLimited,     ///< value: strongest damping, limit: rendered (N·s/mm)
-  /// value: how far a release lies above the press of another speed (N); rendered as equal there
+  /// value: how far a release lies above the press of another speed (N); both are rendered equal there
   speedsCross,
-  /// value: strongest change of force with speed, above 0 where it damps; limit: rendered (N·s/mm)
+  /// value: strongest change of force with speed, positive if it damps; limit: rendered (N·s/mm)
   speedLimited,
-  wideReturn,  ///< value: play radius, limit: a quarter of the travel (mm); the radius is cut to it
+  wideReturn,  ///< value: play radius; limit: a quarter of the travel (mm), to which the radius is reduced
 };
 struct ForceRemark {
   ForceRemarkKind kind{};
@@ -45,9 +47,9 @@ struct ForceRemark {
 
 struct ForceSummary {
   double travel_mm = 0;
-  double rest_mm = 0;  ///< where the first state rests by itself: it holds no energy there
+  double rest_mm = 0;  ///< position where the first state rests by itself, with no stored energy
   double slopeLimit_N_per_mm = 0;
-  double playRadius_mm = 0;  ///< half the way from the press to the release curve
+  double playRadius_mm = 0;  ///< half of the travel from the press to the release curve
   double rowSpacing_mm = 0;  ///< coarsest of the states
   std::vector<ForceRemark> remarks;
 };
@@ -57,9 +59,9 @@ struct PreparedForce {
   ForceSummary summary;
 };
 
-/// Failure wrongUsage names the value of device or settings that is out of its range, a travel outside
-/// 0.1..100 mm, or one that ends beyond the device's reach, or graphs at several speeds that would make
-/// energy. Any thread; allocates.
+/// Failure wrongUsage names a value of device or settings outside its range, a travel outside 0.1..100 mm or
+/// beyond the device's reach, or graphs at several speeds that together would create energy. Any thread;
+/// allocates.
 Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
                                    const ForceSettings& settings = {});
 

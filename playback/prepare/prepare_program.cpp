@@ -15,25 +15,26 @@ namespace detent::playback {
 namespace {
 
 constexpr double highestFrequency_Hz = 2000;
-constexpr double lowestBottomOut_Hz = 1;  // it lasts half a wave at least
+constexpr double lowestBottomOut_Hz = 1;  // it lasts at least half a wave
 constexpr double sharpestResonance = 1e4;
-constexpr double largestCoefficient = 1e9;  // N; a divider's linear quantity goes down to 1e-3
+constexpr double largestCoefficient = 1e9;  // N; the linear quantity of a divider may be as small as 1e-3
 constexpr double largestNoise_N = 50, longestLatency_s = 10;
-constexpr double faintestCeiling = 1e-6;  // -120 dB: below it a profile's transducer bears nothing at all
+// -120 dB: with less, a profile's transducer could bear no signal at all
+constexpr double faintestCeiling = 1e-6;
 
-// Following the finger (docs/develop/decisions/0906). What reaches the tracker is steadied already
-// (force_steadier.h); these keep the strokes apart where a sensor's steps or a tremor remain.
+// For following the finger (docs/develop/decisions/0906). Readings are already steadied (force_steadier.h);
+// these values keep the strokes apart where a sensor's steps or a tremor remain.
 constexpr double unknownSensorsHysteresis_N = 0.02;  // above one count of 10 bit over 12 N (0.0117 N)
 constexpr double smallestHysteresis_N = 0.005;
 constexpr double noiseInHysteresis = 4;
 constexpr double rearmInHysteresis = 2.5;
 
-constexpr double gentlest_N_per_mm = 0.02;  // what is gentler is as loud
+constexpr double gentlest_N_per_mm = 0.02;  // gentler slopes have the level of this one
 
 constexpr double drownedBelow_dB = 6, silent_dB = -1000;
 constexpr double unfeltChange_dB = 0.5;  // a third of the just noticeable difference of a vibration
 
-/// One bound of one setting.
+/// Bounds of one setting.
 struct Bound {
   const char* name;
   double value, low, high;
@@ -43,7 +44,7 @@ struct Bound {
 Result<Done> checkBounds(const Subject& subject, std::initializer_list<Bound> bounds) {
   for (const Bound& b : bounds) {
     const bool inside = b.value <= b.high && (b.lowIncluded ? b.value >= b.low : b.value > b.low);
-    if (inside) continue;  // false for a NaN
+    if (inside) continue;  // false for NaN
     return Failure{FailureCode::wrongUsage, subject, b.name,
                    b.lowIncluded ? Message("%1 lies outside [%2, %3]", b.value, b.low, b.high)
                                  : Message("%1 lies outside (%2, %3]", b.value, b.low, b.high),
@@ -52,7 +53,7 @@ Result<Done> checkBounds(const Subject& subject, std::initializer_list<Bound> bo
   return Done{};
 }
 
-/// Data of one stroke from which a table is built.
+/// Data of one stroke for building its table.
 struct StrokePlan {
   const StrokeCurve& curve;
   Stroke stroke;
@@ -97,7 +98,7 @@ class HapticPreparation {
     prepared_.summary.warnings.push_back({code, std::move(message)});
   }
 
-  /// Lowest displacement of the tables of a state. A release may end elsewhere than its press began.
+  /// Lowest displacement of a state's tables. A release may end at another place than its press began.
   static double lowOf(const ButtonState& state) {
     return std::min(state.graph.press().start_mm(), state.graph.curve(Stroke::release).start_mm());
   }
@@ -105,7 +106,7 @@ class HapticPreparation {
   void setName() {
     auto& name = prepared_.program.name;
     std::size_t length = std::min(button_.name().size(), name.size() - 1);
-    // Never cut a UTF-8 letter in two.
+    // Never divides a UTF-8 character.
     const auto continues = [&](std::size_t i) {
       return (static_cast<unsigned char>(button_.name()[i]) & 0xC0) == 0x80;
     };
@@ -142,7 +143,7 @@ class HapticPreparation {
     const PlaybackSettings& s = settings_;
     p.grainsPerMm = slopes() ? s.grainsPerMm : 0;
     p.grain = {s.grainFrequency_Hz, s.grainDuration_s, s.grainAmplitude, Envelope::falling};
-    // Whole half-cycles: the rising envelope ends at its loudest, so it must end in a zero of the sine.
+    // A whole number of half cycles: the rising envelope ends at its maximum, so the sine must be zero there.
     const double halfCycles = std::max(1.0, std::round(2 * s.bottomOutFrequency_Hz * s.bottomOutDuration_s));
     p.bottomOut = {s.bottomOutFrequency_Hz, halfCycles / (2 * s.bottomOutFrequency_Hz), s.bottomOutAmplitude,
                    Envelope::rising};
@@ -192,7 +193,7 @@ class HapticPreparation {
   }
 
   bool touchesJumps(const EqualizerBand& band) const {
-    constexpr double anyRate_Hz = 192000;  // the highest: there the band lies as the profile means it
+    constexpr double anyRate_Hz = 192000;  // the highest rate, at which the band is at its intended frequency
     const BiquadCoefficients section = peaking(anyRate_Hz, band.frequency_Hz, band.q, band.gain_dB);
     const auto change_dB = [&](double frequency_Hz) {
       return std::fabs(20 * std::log10(magnitude(section, anyRate_Hz, frequency_Hz)));
@@ -246,8 +247,8 @@ class HapticPreparation {
     }
   }
 
-  /// The slope stays below the weakest jump of its stroke, the bottom-out below the jump before it: farther
-  /// below a strong click it would not be felt. A stroke without one keeps what it has.
+  /// Lowers the slope below the weakest jump of its stroke, and the bottom-out below the jump before it;
+  /// still lower they would not be felt after a strong click. A stroke without jumps is unchanged.
   void letJumpsThrough(StateProgram& state) {
     const HapticProgram& p = prepared_.program;
     const auto below = [&](double jump_dB, double level_dB) {
@@ -267,7 +268,7 @@ class HapticPreparation {
     }
   }
 
-  /// Felt levels of a stroke's jumps that sound, in the order travelled.
+  /// Felt levels of a stroke's audible jumps, in the order travelled.
   std::vector<double> jumpLevels_dB(const StrokeTable& stroke) const {
     std::vector<double> levels_dB;
     for (std::size_t i = 0; i < stroke.jumpCount; ++i) {
@@ -277,7 +278,7 @@ class HapticPreparation {
     return levels_dB;
   }
 
-  /// Keeps the jumps that the paper's levels put far below the slope or the bottom-out.
+  /// Records the jumps that the paper's levels put far below the slope or the bottom-out.
   void findDrowned(const StateProgram& state) {
     const HapticProgram& p = prepared_.program;
     for (const StrokeTable* stroke : {&state.press, &state.release}) {
@@ -298,14 +299,14 @@ class HapticPreparation {
   void setContact(const ButtonState& from, const StrokePlan& press, StateProgram& to) {
     to.hasOperatingPoint = from.operatingPoint_mm.has_value() || button_.selfLocking();
     if (!to.hasOperatingPoint) return;
-    // A self-locking button without a stated operating point acts where its last jump ends, else at the
-    // bottom.
+    // A self-locking button without a stated operating point switches at the end of its last jump, else at
+    // the bottom.
     double acts_mm = to.end_mm;
     for (const Section& s : press.sections) {
       if (s.kind == SectionKind::jump) acts_mm = s.to_mm;
     }
     to.operating_mm = std::clamp(from.operatingPoint_mm.value_or(acts_mm), to.start_mm, to.end_mm);
-    // Arriving at a place takes some way to it.
+    // An operating point must be beyond the start, so that it can be reached.
     if (to.operating_mm <= to.start_mm) to.operating_mm = std::nextafter(to.start_mm, to.end_mm);
     to.hasResetPoint = true;
     to.reset_mm = std::clamp(from.resetPoint_mm.value_or(to.operating_mm), to.low_mm, to.end_mm);
@@ -322,8 +323,8 @@ class HapticPreparation {
     }
   }
 
-  /// Back along the curve from where something fired to where the force differs by the re-arm force; at most
-  /// half the way to `end_mm`.
+  /// Place where the force has decreased from the firing force by the re-arm force, searched back along the
+  /// curve; at most half the way to `end_mm`.
   double rearmPlace(const StrokeCurve& curve, double fires_mm, double end_mm) const {
     constexpr int steps = 256;
     const double fires_N = curve.force_N(fires_mm);
@@ -344,7 +345,8 @@ class HapticPreparation {
       kept.push_back(s.to_mm);
     }
     if (kept.size() > maxTablePoints / 4) kept.resize(maxTablePoints / 4);
-    // A release ends where the finger no longer pushes, even if the printed curve ends at or below no force.
+    // A release ends where the finger no longer pushes, even if the printed curve ends at or below zero
+    // force.
     const double lowest_N =
         plan.stroke == Stroke::release ? prepared_.program.restForce_N : -ForceGraph::maxForce_N;
     const TableFit fit = fitTable(plan.curve, state.low_mm, state.end_mm, lowest_N, kept);
@@ -354,9 +356,9 @@ class HapticPreparation {
     prepared_.summary.tableError_N = std::max(prepared_.summary.tableError_N, fit.error_N);
   }
 
-  // Grains stand on one grid over the whole travel ("evenly along the displacement range"); a slope owns the
-  // grid places within it. Where one stroke has no curve, nothing is felt: the table is flat there and all its
-  // grains would come at one force, as one click.
+  // Grains are on one grid over the whole travel ("evenly along the displacement range"); a slope has the
+  // grid positions within it. Where one stroke has no curve, its table is constant: all grains there would
+  // sound at one force, as one click, so they are left out.
   void addSlopes(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
     const auto cell = [&](double x_mm) {
       return static_cast<std::int64_t>(
@@ -392,8 +394,8 @@ class HapticPreparation {
            {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
   }
 
-  /// Steepness at a displacement of a slope, over a fifth of a millimetre to both sides but neither beyond
-  /// the slope nor into the bottom-out.
+  /// Steepness at a displacement of a slope, measured over a fifth of a millimetre on both sides, but not
+  /// beyond the slope or into the bottom-out.
   static double steepness_N_per_mm(const StrokeCurve& curve, double at_mm, double from_mm, double to_mm) {
     constexpr double reach_mm = 0.2;
     const double low_mm = std::max(at_mm - reach_mm, from_mm), high_mm = std::min(at_mm + reach_mm, to_mm);
@@ -408,11 +410,11 @@ class HapticPreparation {
     return std::min(20 * s.levelBySteepness * std::log10(share), 20 * std::log10(loudestGrain()));
   }
 
-  /// Level at which a grain reaches full scale.
+  /// Level factor at which a grain reaches full scale.
   double loudestGrain() const { return settings_.grainAmplitude > 0 ? 1 / settings_.grainAmplitude : 1; }
 
-  /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the
-  /// pieces.
+  /// Divides a slope where its steepness changes the level by a hardly noticeable amount, or more coarsely if
+  /// a program cannot hold all pieces.
   std::vector<GrainRange> splitBySteepness(const StrokeCurve& curve,
                                            const std::vector<GrainRange>& slopes) const {
     constexpr double finest_dB = 0.5, coarsest_dB = 64;
@@ -477,7 +479,7 @@ class HapticPreparation {
       if (s.kind == SectionKind::jump) found.push_back({s, jumpArea_mJ(plan.curve, s)});
     }
     if (found.size() > maxJumps) {
-      // Of equal ones those met first are kept; what is kept stays in the order travelled.
+      // Of equal jumps, those met first are kept; the kept ones stay in the order travelled.
       std::vector<std::size_t> byArea(found.size());
       std::iota(byArea.begin(), byArea.end(), std::size_t{0});
       std::stable_sort(byArea.begin(), byArea.end(),
@@ -601,7 +603,7 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
   return bounds;
 }
 
-/// Rejects values that no sensor and no link has; they would go on into forces and hysteresis.
+/// Rejects values that no sensor or link has, because they would propagate into forces and hysteresis.
 Result<Done> checkMeasured(const DeviceProfile& profile) {
   if (Result<Done> ok =
           checkBounds("device profile", {{"full_scale_dB", fullScale_dB(profile), -60, 140, true}});
@@ -650,7 +652,7 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
     }
   }
   if (Result<Done> ok = checkMeasured(profile); !ok) return ok;
-  // Whatever the circuit, more force is a larger reading.
+  // With every circuit, more force gives a larger reading.
   const SensorCalibration& sensor = profile.sensor;
   if (sensor.circuit != SensorCircuit::newtons || sensor.weights > 0) {
     const double low = 0.1 * sensor.fullScale_counts, high = 0.9 * sensor.fullScale_counts;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a button, a device and settings to what the callback plays. Only what the button has is prepared: no
-// jump entry for a linear button, no second state for a momentary one, no equalizer for a flat device.
+// From a button, a device and settings to the program that the callback plays. Only parts that the button has
+// are prepared: no jump entry for a linear button, no second state for a momentary one, no equalizer for a
+// flat device.
 
 #include <string>
 #include <vector>
@@ -19,20 +20,22 @@ namespace detent::playback {
 enum class PrepareWarningCode : std::uint8_t {
   hysteresisReduced,  ///< strongest force, requested hysteresis
   noResonance,        ///< press and release frequency that are used instead, Hz
-  slopesLeftOut,      ///< how many a program holds
-  jumpsLeftOut,       ///< how many there are, how many are kept, messages of where those left out are
-  jumpClipped,        ///< where, times full scale it asks for
-  clickDrowned,    ///< dB, messages of where the jumps are that the paper's levels put so far below the rest
+  slopesLeftOut,      ///< number that a program holds
+  jumpsLeftOut,       ///< number found, number kept, messages with the places of those left out
+  jumpClipped,        ///< place, factor of full scale that it would need
+  /// dB by which the paper's levels put jumps below slope or bottom-out, messages with the places of these
+  /// jumps
+  clickDrowned,
   equalizerSpared  ///< messages of the bands' frequencies
 };
 
-/// The code decides, the message is for people (model/message.h).
+/// A warning: the code is for programs, the message for people (model/message.h).
 struct PrepareWarning {
   PrepareWarningCode code;
   Message message;
 };
 
-/// "jumps-left-out": as scripts see it.
+/// Name for scripts: "jumps-left-out".
 const char* nameOf(PrepareWarningCode code);
 
 /// Summary of the preparation, for a one-line report and for doubts.
@@ -52,7 +55,7 @@ struct PreparedProgram {
   PrepareSummary summary;
 };
 
-/// Failure: wrongUsage naming the setting or profile value that is out of its range. Any thread; allocates.
+/// Failure wrongUsage names the setting or profile value that is outside its range. Any thread; allocates.
 Result<PreparedProgram> prepareProgram(const Button& button, const DeviceProfile& profile,
                                        const PlaybackSettings& settings);
 

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr int speedSamples = 256;  // places along a stroke
+constexpr int speedSamples = 256;  // number of displacements along a stroke
 
 /// Largest change of force from one speed to the next, and the strongest force.
 struct Change {

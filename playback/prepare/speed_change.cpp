@@ -10,7 +10,8 @@ namespace detent::playback {
 
 namespace {
 
-// A damper is not known to better than this, and the estimate of velocity is late.
+// Share of the device's damping that may be used, because it is not known better and the estimate of velocity
+// is late.
 constexpr double fedOfDamper = 0.5;
 
 }  // namespace

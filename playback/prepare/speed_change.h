@@ -8,17 +8,18 @@
 
 namespace detent::playback {
 
-/// A change of force with speed as a damping, N·s/mm: above 0 it takes energy, below 0 it feeds it.
+/// A change of force with speed, expressed as damping, N·s/mm: positive values take energy, negative ones
+/// supply it.
 struct SpeedDamping {
   double least = 0, most = 0;
 };
 
-/// Damping of both strokes at a displacement, over all pairs of neighbouring speeds; 0 without a family, and
-/// always 0 <= most, least <= 0: below the lowest speed nothing changes.
+/// Smallest and largest damping of both strokes at a displacement, over all pairs of neighbouring speeds; 0
+/// without a family. Always 0 <= most and least <= 0, because below the lowest speed nothing changes.
 SpeedDamping speedDampingAt(const ButtonState& state, double at_mm);
 
-/// The part that a device renders beside the button's own b(x): as much damping as its mass allows, and half
-/// of what its damper takes.
+/// The part that a device renders in addition to the button's own b(x): positive damping up to what its mass
+/// allows, negative up to half of its own damping.
 SpeedDamping renderedSpeedDamping(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

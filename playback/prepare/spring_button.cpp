@@ -10,7 +10,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t mostCoefficients = 12;
-constexpr int springKnots = 64;  // knots of the force, with its exact slopes, and points of the damping
+constexpr int springKnots = 64;  // knots of the force, with exact slopes, and points of the damping
 
 double valueAt(const std::vector<double>& coefficients, double x) {
   double value = 0;

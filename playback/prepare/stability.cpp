@@ -15,22 +15,22 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t travelSamples = 1024;     // along a travel
-constexpr double leastAllowed_N_per_mm = 0.01;  // a slope limit below this leaves nothing to feel
+constexpr std::size_t travelSamples = 1024;     // along the travel
+constexpr double leastAllowed_N_per_mm = 0.01;  // with a lower slope limit nothing could be felt
 constexpr double rounding = 1.0001;
 constexpr double limitedTo =
-    0.95;  // of what is allowed: a curve of few knots is up to 2.2 % steeper between its points
+    0.95;  // of the allowed slope: between its points, a curve of few knots is up to 2.2 % steeper
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 
-/// Damping of a change of force with speed at a displacement, as far as it is rendered.
+/// Damping that results from the change of force with speed at a displacement, as far as it is rendered.
 SpeedDamping renderedAt(const ButtonState& state, const SpeedDamping& rendered, double at_mm) {
   if (state.otherSpeeds.empty()) return {};
   const SpeedDamping drawn = speedDampingAt(state, at_mm);
   return {std::max(drawn.least, rendered.least), std::min(drawn.most, rendered.most)};
 }
 
-/// Limits for the smallest and the largest damping along the travel, including that by speed.
+/// Loop limits for the range of damping along the travel, including that from speeds.
 LoopLimits limitsOf(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz) {
   double most_Ns_per_mm = 0;
   for (const DampingPoint& d : state.damping) most_Ns_per_mm = std::max(most_Ns_per_mm, d.damping_Ns_per_mm);
@@ -62,7 +62,7 @@ MarginPoint allowedFor(const ForceDeviceProfile& device, double byLoop_N_per_mm)
   return p;
 }
 
-/// Slope of a curve around one displacement, including vertical rises; 0 outside it.
+/// Slope of a curve around one displacement, including vertical rises; 0 outside the curve.
 double slopeOver(const StrokeCurve& curve, double from_mm, double to_mm) {
   const double low_mm = std::max(from_mm, curve.start_mm()), high_mm = std::min(to_mm, curve.end_mm());
   if (low_mm > high_mm) return 0;
@@ -112,7 +112,7 @@ class MarginOfState {
   }
 
   /// Steepest slope at which the force loop is stable, N/mm: the smallest of the limits at rest and at speeds
-  /// between those of the graphs. There the force also depends on speed, which damps the handle or drives it.
+  /// between those of the graphs, where the dependence on speed damps the handle or drives it.
   double loopLimitAt(double at_mm) const {
     const double damping = state_.damping.empty() ? 0 : dampingAt(state_.damping, at_mm);
     const double still = limits_.at_N_per_mm(damping);
@@ -135,8 +135,8 @@ class MarginOfState {
   SpeedDamping rendered_;
 };
 
-/// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where
-/// none does.
+/// The least of several damping values up to `most` with which the slope is stable; if none is enough, the
+/// one that allows the steepest slope.
 double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, double rate_Hz,
                   double most_Ns_per_mm) {
   constexpr int tries = 8;
@@ -151,8 +151,8 @@ double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, doubl
   return best_Ns_per_mm;
 }
 
-/// A stroke with limited slopes, or the stroke itself if nothing had to change. A vertical rise at the end of
-/// the travel keeps what fits.
+/// A stroke with limited slopes, or the unchanged stroke if none exceeds the limit. A vertical rise at the
+/// end of the travel keeps the part that fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
   const double spacing_mm = curve.travel_mm() / static_cast<double>(travelSamples);
   const auto [low_N, high_N] = curve.forceRange_N();
@@ -162,7 +162,7 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
   for (std::size_t i = 0; i <= travelSamples; ++i) {
     const double at_mm =
         i == travelSamples ? curve.end_mm() : curve.start_mm() + static_cast<double>(i) * spacing_mm;
-    // The first point of a vertical rise at the start is its lower end.
+    // For a vertical rise at the start, the first point is its lower end.
     const double wanted_N = i == 0 ? curve.forceBefore_N(at_mm) : curve.force_N(at_mm);
     double force_N = wanted_N;
     if (i > 0) {
@@ -195,7 +195,8 @@ Result<ForceGraph> limited(const ForceGraph& graph, double slope_N_per_mm, Stabi
   return ForceGraph::fromCurves(*std::move(press), std::move(release));
 }
 
-/// The size of the strongest change of force with speed, either way: late, both work against a finger.
+/// Size of the strongest change of force with speed, of either sign: if it acts late, both signs disturb a
+/// finger.
 double strongestBySpeed(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz) {
   if (state.otherSpeeds.empty()) return 0;
   const SpeedDamping rendered = renderedSpeedDamping(state, device, rate_Hz);

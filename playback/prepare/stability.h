@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Predicts if a device can render a button: the margin along the travel, and the nearest button that it can
-// render as drawn. Formulas and results of simulation: docs/develop/decisions/1101-stability-margin.md.
+// Predicts whether a device can render a button: the margin along the travel, and the nearest button that it
+// can render exactly. Formulas and results of simulation: docs/develop/decisions/1101-stability-margin.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace detent::playback {
 
-/// The reason why a slope is too steep; of several the strictest one.
+/// The reason why a slope is too steep; if there are several, the strictest one.
 enum class StabilityBound : std::uint8_t {
-  damping,  ///< the handle alone would swing more and more: the loop limit (loop_limit.h)
+  damping,  ///< oscillations of the free handle would grow: the loop limit (loop_limit.h)
   /// K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
   quantisation,
   device  ///< the steepest slope the device may render
@@ -23,7 +23,7 @@ enum class StabilityBound : std::uint8_t {
 
 struct MarginPoint {
   double displacement_mm = 0;
-  double slope_N_per_mm = 0;  ///< steepest of both strokes there, its size
+  double slope_N_per_mm = 0;  ///< at the steepest point of both strokes there
   double allowed_N_per_mm = 0;
   StabilityBound bound = StabilityBound::damping;
   double margin_N_per_mm() const { return allowed_N_per_mm - slope_N_per_mm; }
@@ -34,15 +34,15 @@ struct UnstableStretch {
   std::size_t state = 0;
   double from_mm = 0, to_mm = 0;
   MarginPoint worst;
-  bool falling = false;  ///< a jump, else a rise
+  bool falling = false;  ///< a falling slope (of a jump); otherwise a rising one
 };
 
 struct StabilityMargin {
-  std::vector<std::vector<MarginPoint>> states;  ///< per state, evenly over the travel
+  std::vector<std::vector<MarginPoint>> states;  ///< per state, at evenly spaced displacements
   std::vector<UnstableStretch> unstable;
   MarginPoint least;
-  /// Colgate and Schenkel's bound for any finger whatever, b / (T / 2 + delay) less the button's own damping:
-  /// stricter than what a hand needs, and below 0 where the button damps more than the device does.
+  /// Colgate and Schenkel's bound for any finger, b / (T / 2 + delay) minus the button's own damping. It is
+  /// stricter than a hand requires, and negative if the button damps more than the device.
   double anyFinger_N_per_mm = 0;
   bool stable() const { return unstable.empty(); }
 };
@@ -54,7 +54,7 @@ StabilityMargin stabilityOf(const Button& button, const ForceDeviceProfile& devi
 struct StabilityChange {
   std::size_t state = 0;
   double largestForceChange_N = 0, changedFrom_mm = 0,
-         changedTo_mm = 0;            ///< 0 and empty where the curves stay
+         changedTo_mm = 0;            ///< range; 0 if only damping changed
   double addedDamping_Ns_per_mm = 0;  ///< largest
 };
 struct StableButton {
@@ -62,9 +62,9 @@ struct StableButton {
   std::vector<StabilityChange> changes;  ///< empty: the button was stable as it is
 };
 
-/// The nearest button whose margin is nowhere below 0: first damping is added, as much as the device's mass
-/// bears, then slopes are limited; a peak keeps its force. Failure: wrongUsage where no button is stable on
-/// the device (no friction, no damping).
+/// The nearest button whose margin is nowhere negative: first damping is added, up to what the device's mass
+/// allows, then slopes are limited; a peak keeps its force. Failure wrongUsage: no button is stable on the
+/// device (no friction, no damping).
 Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
 
 }  // namespace detent::playback

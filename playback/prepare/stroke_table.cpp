@@ -11,13 +11,14 @@ namespace detent::playback {
 
 namespace {
 
-// Places at which the table is compared with the curve: at least this many over the travel, and every knot.
+// Least number of displacements at which table and curve are compared; every knot is added.
 constexpr std::size_t strokeSamples = 4096;
 
-// A table closer than this share of the force range is good enough; more vertices would only cost cache.
+// A table with an error below this share of the force range is good enough; more vertices would only use
+// cache.
 constexpr double enoughOfRange = 1e-5;
 
-/// The curve at all evaluated displacements; vertical rises appear as two samples of one displacement.
+/// The curve at all examined displacements; a vertical rise is two samples at one displacement.
 std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
                                       const std::vector<double>& kept_mm) {
   std::vector<double> positions;
@@ -29,7 +30,7 @@ std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, 
   const auto evenPlaces = static_cast<std::ptrdiff_t>(positions.size());
   const std::vector<Knot>& knots = curve.knots();
   for (const Knot& knot : knots) positions.push_back(knot.displacement_mm);
-  // A piece narrower than the even places turns between its knots, too.
+  // A piece narrower than the even spacing also has a minimum or maximum between its knots.
   for (std::size_t i = 1; i < knots.size() && knots.size() < strokeSamples; ++i)
     for (const double share : {0.25, 0.5, 0.75})
       positions.push_back(knots[i - 1].displacement_mm +
@@ -50,7 +51,7 @@ std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, 
   return samples;
 }
 
-/// A run of samples between two chosen vertices, and the sample in it farthest from their chord.
+/// A run of samples between two chosen vertices, with the sample farthest from the chord between them.
 struct Gap {
   std::size_t from = 0, to = 0, worst = 0;
   double error_N = 0;
@@ -102,7 +103,8 @@ TableFit fitTable(const StrokeCurve& curve, double from_mm, double to_mm, double
                           [](const TablePoint& a, const TablePoint& b) { return a.force_N < b.force_N; });
   const double enough_N = enoughOfRange * (high->force_N - low->force_N);
 
-  // Always split the worst gap at its worst sample (greedy Ramer-Douglas-Peucker with a budget).
+  // Repeatedly splits the worst gap at its worst sample (greedy Ramer-Douglas-Peucker with a limited number
+  // of vertices).
   std::vector<std::size_t> chosen = fixedVertices(samples, kept_mm);
   std::priority_queue<Gap> gaps;
   for (std::size_t i = 1; i < chosen.size(); ++i) gaps.push(measure(samples, chosen[i - 1], chosen[i]));

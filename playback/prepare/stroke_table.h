@@ -11,12 +11,12 @@ namespace detent::playback {
 
 struct TableFit {
   std::vector<TablePoint> points;  ///< by increasing displacement, from `from_mm` to `to_mm`
-  double error_N = 0;              ///< largest vertical distance from the curve at the places looked at
+  double error_N = 0;              ///< largest vertical distance from the curve at the examined displacements
 };
 
-/// Vertices at every displacement in `kept_mm` (section ends, in any order), vertical rises kept as two
-/// vertices, the rest where the curve bends most. Outside the curve its end's force continues. Forces below
-/// `lowest_N` are lifted to it. kept_mm.size() <= maxTablePoints / 4.
+/// Vertices at every displacement in `kept_mm` (section ends, in any order); vertical rises as two vertices;
+/// the others where the curve bends most. Beyond the curve the force of its end continues. Forces below
+/// `lowest_N` are raised to it. kept_mm.size() <= maxTablePoints / 4.
 TableFit fitTable(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
                   const std::vector<double>& kept_mm);
 

@@ -35,7 +35,7 @@ struct CalibrateArguments {
 
 constexpr double weighing_s = 1.0;
 constexpr double largestSd_counts = 3,
-                 largestSdOfMean = 0.02;  // above these, a weighing is reported as noisy
+                 largestSdOfMean = 0.02;  // limits above which a weighing is reported as noisy
 
 void addCalibrateOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
@@ -53,7 +53,7 @@ void addCalibrateOptions(CLI::App& app, CalibrateArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
-/// "20", "20.5 g", "20,5", "0.05 kg": grams; empty where it is none of these.
+/// "20", "20.5 g", "20,5", "0.05 kg" in grams; empty for any other text.
 std::optional<double> massIn_g(std::string text) {
   std::replace(text.begin(), text.end(), ',', '.');
   double mass = 0;
@@ -78,10 +78,10 @@ void reportCalibration(const KnownWeight& weight, const RawReading& raw) {
 
 struct Weighings {
   std::vector<KnownWeight> weights;
-  std::vector<double> sds;  ///< of the raw readings; as many as weights where they were measured
+  std::vector<double> sds;  ///< of the raw readings; as many as weights if they were measured
 };
 
-/// Weights from the person at the terminal: one mass per line, an empty line or the end of input ends.
+/// Asks the person at the terminal for weights: one mass per line, until an empty line or the end of input.
 Result<Weighings> askForWeights(const CalibrateArguments& a, const Cancelled& cancelled) {
   Weighings weighings;
   std::fprintf(stderr,
@@ -104,7 +104,7 @@ Result<Weighings> askForWeights(const CalibrateArguments& a, const Cancelled& ca
   return weighings;
 }
 
-/// The median over the weights of what the reading's SD is in newtons; 0 where it was not measured.
+/// Noise in newtons: the median over the weights of the readings' SD; 0 if it was not measured.
 double noiseOf(const Weighings& weighings, const SensorCalibration& calibration) {
   std::vector<double> noises_N;
   for (std::size_t i = 0; i < weighings.sds.size(); ++i) {

@@ -5,7 +5,7 @@
 
 namespace detent::playback {
 
-/// `detent-play calibrate`: from known weights to a sensor's calibration in the profile.
+/// `detent-play calibrate`: calibrates a sensor with known weights and stores the result in the profile.
 void addCalibrateCommand(CLI::App& program, Action& chosen);
 
 }  // namespace detent::playback

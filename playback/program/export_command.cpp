@@ -51,7 +51,7 @@ Result<PressTrace> pressOf(const std::string& press, const HapticProgram& progra
   return namesPress(press) ? namedPress(press, program) : readPressTrace(press);
 }
 
-/// A program's text under another ending is not found by what should include it.
+/// Warns if source code is written with an extension by which the including program cannot find it.
 void warnOfEnding(ExportFormat format, const std::string& file) {
   const char* ending = nullptr;
   switch (format) {

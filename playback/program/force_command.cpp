@@ -30,7 +30,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t mostDrawnSteps = 200000;  // of a picture; the log has them all
+constexpr std::size_t mostDrawnSteps = 200000;  // of a plot; the log contains all
 
 struct ForceArguments {
   std::string button, device = "sim", finger = "press";
@@ -107,7 +107,7 @@ void addForceOptions(CLI::App& app, ForceArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
 
-/// Energy and extremes of a run, from its rows.
+/// Energy and extremes of a run, computed from its steps.
 struct RunFigures {
   double taken_mJ = 0, given_mJ = 0, strongest_N = 0, fastest_mm_per_s = 0;
   double lowest_mm = 0, highest_mm = 0;

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 namespace {
 
-/// A state's name as one field.
+/// A state's name in the form of one CSV field.
 std::string fieldOf(std::string name) {
   std::replace_if(
       name.begin(), name.end(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The log of a force loop: one row per step, written as it runs, whole or not there.
+// The log of a force loop: one row per step, written while it runs. The file appears only when it is
+// complete.
 
 #include <fstream>
 #include <string>
@@ -13,12 +14,12 @@ namespace detent::playback {
 
 class ForceLog {
  public:
-  /// Opens a file beside `path`, which `finish` puts there. Failure as StagedFile's.
+  /// Opens a file beside `path`, which `finish` moves there. Failure: as StagedFile's.
   static Result<ForceLog> open(const std::string& path);
   ForceLog(ForceLog&& other) noexcept = default;
   ForceLog& operator=(ForceLog&&) = delete;
 
-  /// `period_s` gives a step its time; the names of the states come from `button`, without commas.
+  /// Writes one step. `period_s` determines its time; names of states come from `button`, without commas.
   void write(const ForceStep& step, double period_s, const Button& button);
   Result<Done> finish();
 

@@ -68,7 +68,7 @@ XyPlot dampingFigure(const ButtonState& state) {
 XyPlot stiffnessFigure(const ButtonState& state) {
   const StrokeCurve& press = state.graph.press();
   const double nearest_mm =
-      press.start_mm() + press.travel_mm() / curvePlaces;  // at 0 the quotient is the slope
+      press.start_mm() + press.travel_mm() / curvePlaces;  // at displacement 0 the quotient is the slope
   const auto stiffness = [&](double x_mm) {
     return x_mm < nearest_mm ? press.slope_N_per_mm(press.start_mm()) : press.force_N(x_mm) / x_mm;
   };

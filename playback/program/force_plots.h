@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Pictures of a run under force: what was felt beside what was drawn, and the figures of Shrestha's paper.
+// Plots of a run under force: the felt force beside the drawn curve, and the figures of Shrestha's paper.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace detent::playback {
 std::string runSvg(const Button& button, const std::vector<ForceStep>& steps, double period_s);
 
 /// Shrestha's Figures 4 (damping over displacement), 5 (stiffness) and 6 (force, from the run), with the
-/// equations used. What the button does not have is left out.
+/// equations used. Parts that the button does not have are left out.
 std::string paperFiguresSvg(const Button& button, const std::vector<ForceStep>& steps);
 
 }  // namespace detent::playback

@@ -79,8 +79,8 @@ Json valueOf(const std::vector<Estimate>& estimates, double Estimate::*part) {
   return list;
 }
 
-/// Change of b by a force that is recorded 1 ms later than its displacement: the spring's change in that time
-/// resembles damping.
+/// Change of b if the force is recorded 1 ms later than its displacement: the spring's change within that
+/// time resembles damping.
 double lagEffect_Ns_per_mm(const Identification& f) {
   constexpr double lag_s = 0.001;
   double stiffest_N_per_mm = 0;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* thisMachine = "127.0.0.1";
 
-/// An option that is a port, or an address and a port; anything else is wrong usage. `standardHost` as in
-/// parseEndpoint.
+/// Adds an option whose value is a port, or an address and a port; other values are wrong usage.
+/// `standardHost` as in parseEndpoint.
 void addEndpoint(CLI::App& app, const std::string& name, std::optional<Endpoint>& target,
                  const std::string& standardHost, unsigned lowestPort, const std::string& help) {
   const auto take = [&target, name, standardHost, lowestPort](const std::string& text) {

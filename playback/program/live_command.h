@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// `detent-play BUTTON`: press and feel. The root command, without a word of its own.
+// `detent-play BUTTON`: press and feel. It is the root command, so it has no name of its own.
 
 #include <optional>
 #include <string>
@@ -28,7 +28,7 @@ struct LiveArguments {
 /// Runs if the command line names no other command.
 void addLiveCommand(CLI::App& program, Action& chosen);
 
-/// The live view (live_view.cpp; without devices it explains itself).
+/// The live view (live_view.cpp; in builds without devices it reports that).
 int runLive(const LiveArguments& arguments, const std::vector<Button>& buttons, const DeviceProfile& profile,
             const Cancelled& cancelled);
 

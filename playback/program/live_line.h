@@ -5,12 +5,12 @@
 
 namespace detent::playback {
 
-/// One line of the terminal behind standard error that is written over and over; nothing where there is no
+/// A line of the terminal behind standard error that is rewritten repeatedly; no output if there is no
 /// terminal.
 class LiveLine {
  public:
   void show(const std::string& text);
-  /// Moves on to the next line, if one was begun.
+  /// Continues on the next line, if this one was begun.
   void end();
 
  private:

@@ -75,7 +75,7 @@ class LiveView {
         follow();
       }
     }
-    finish();  // first: closing a device may take longer than somebody who pressed Ctrl-C waits
+    finish();  // first, because closing a device may take longer than a person waits after Ctrl-C
     player_.reset();
     return exitCode_;
   }
@@ -89,7 +89,7 @@ class LiveView {
     return prepareLive(*prepared, buttons_[current_], profile_, settings_);
   }
 
-  /// A line of its own; on a terminal the status line is drawn again below it.
+  /// Prints a line; on a terminal the status line is drawn again below it.
   static void tell(const std::string& sentence) {
     std::fprintf(stderr, "%s%s\n", errorIsTerminal() ? "\r\033[K" : "", sentence.c_str());
   }
@@ -201,7 +201,7 @@ class LiveView {
     if (errorIsTerminal()) draw(status);
   }
 
-  /// "felt 38 dB"; "felt ~38 dB" where nobody measured the device's level.
+  /// "felt 38 dB"; "felt ~38 dB" if the device's level was not measured.
   std::string feltWords(const PlayerStatus& s) const {
     if (!(s.felt_dB > 0)) return "felt  - dB";
     char words[32];
@@ -209,7 +209,7 @@ class LiveView {
     return words;
   }
 
-  /// " 47 mm/s": of a button with graphs at several speeds, that of the press.
+  /// " 47 mm/s": speed of the press, for a button with graphs at several speeds.
   static std::string speedWords(const PlayerStatus& s) {
     if (!(s.speed_mm_per_s > 0)) return "";
     char words[32];

@@ -7,14 +7,14 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double shownFor_s = 3;         // a thing counted stays on the status line for so long
-constexpr double reportedEvery_s = 10;   // and makes a line of its own no more often than this
-constexpr double rarestForces_Hz = 100;  // below, a press of 60 ms is six readings
+constexpr double shownFor_s = 3;         // time for which a counted event stays on the status line
+constexpr double reportedEvery_s = 10;   // least time between two separate lines about it
+constexpr double rarestForces_Hz = 100;  // with fewer, a press of 60 ms has only six readings
 
-/// One thing that may be wrong.
+/// Texts of one warning.
 struct Wording {
   LiveWarningCode code;
-  bool counted;  ///< else it is there or it is not
+  bool counted;  ///< true: events are counted; false: a condition is present or not
   const char* name;
   const char* title;
   const char* words;

@@ -33,10 +33,10 @@ enum class LiveWarningCode : std::uint8_t {
 };
 inline constexpr std::size_t liveWarningCodes = 12;
 
-/// Something that has just begun, or has been counted again.
+/// A condition that has just begun, or a count that has increased.
 struct LiveWarning {
   LiveWarningCode code;
-  std::uint64_t count = 0;  ///< number since the last report; 0: present or not
+  std::uint64_t count = 0;  ///< increase since the last report; 0: a condition without a count
 };
 
 /// "sensor-unplugged": as scripts see it.
@@ -57,7 +57,7 @@ class LiveWarnings {
 
   /// Reads the status; returns new warnings, most urgent first.
   std::vector<LiveWarning> update(const PlayerStatus& status, double now_s);
-  /// The most urgent thing that is wrong right now.
+  /// The most urgent present warning.
   std::optional<LiveWarningCode> mostUrgent() const { return mostUrgent_; }
 
  private:
@@ -66,7 +66,7 @@ class LiveWarnings {
     double until_s = -1, reported_s = -1e9;
     std::uint64_t seen = 0, reported = 0;
   };
-  using Values = std::array<std::uint64_t, liveWarningCodes>;  // counts, or 1 where something is wrong
+  using Values = std::array<std::uint64_t, liveWarningCodes>;  // counts; 1 for a condition that is present
 
   Values valuesIn(const PlayerStatus& status, double now_s);
   std::optional<LiveWarning> newsOf(LiveWarningCode code, std::uint64_t value, double now_s);

@@ -59,7 +59,7 @@ Result<MagneticSensor> sensorOf(const MagneticArguments& a, const Button& button
   return MagneticSensor::assumed(button.states().front().graph.travel_mm(), a.noise);
 }
 
-/// The requested settings first, then without rapid trigger and with it in steps.
+/// The requested settings, then variants without rapid trigger and with it in steps.
 std::vector<MagneticKeySettings> variantsOf(const MagneticKeySettings& chosen) {
   std::vector<MagneticKeySettings> variants = {chosen};
   for (const std::optional<double> rapid_mm : {std::optional<double>{}, {0.1}, {0.2}, {0.3}, {0.5}, {1.0}}) {

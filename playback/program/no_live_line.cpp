@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program without devices has nothing that runs while one watches.
+// In a program without devices nothing runs that could be watched live.
 #include "playback/program/live_line.h"
 
 namespace detent::playback {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// detent-play performance: how fast, how surely and with how much force will people press these buttons?
+// detent-play performance: forecasts how fast, how reliably and with how much force people will press these
+// buttons.
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 namespace detent::playback {
 
 /// The table "Hits and misses" of docs/reference/press-forecast.md as lines of a help text, one effect each;
-/// made from the page when the build is configured.
+/// generated from that page when the build is configured.
 extern const char* const pressEffects;
 
 }  // namespace detent::playback

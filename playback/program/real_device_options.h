@@ -15,7 +15,7 @@ inline constexpr const char* forceDeviceWords = "sim[:falcon|:rig]|serial:PORT|o
 
 struct RealDeviceOptions {
   double step_mm = 0;               ///< 0: the preset's
-  std::optional<double> largest_N;  ///< none: the preset's; 0 is no such word, but a limit that no device has
+  std::optional<double> largest_N;  ///< none: that of the preset; 0 is a valid limit, which no device has
   unsigned baud = 0, axis = 0;      ///< baud 0: the device's own
   double mmPerTurn = 60;
   std::string firmwareFile;  ///< of a Falcon
@@ -23,12 +23,12 @@ struct RealDeviceOptions {
   void applyTo(ForceDeviceChoice& device) const;
 };
 
-/// All but the serial port's speed.
+/// All options except the serial port's speed.
 void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
 void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
 inline constexpr const char* realDeviceGroup = "Real devices (docs/guide/force-feedback.md)";
 
-/// --fast given for a device that has hardware.
+/// Failure: --fast was given for a device with hardware.
 Failure fastNeedsSimulation();
 
 }  // namespace detent::playback

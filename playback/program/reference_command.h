@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// detent-play reference: describes a signal of another program, or writes it as sound.
+// detent-play reference: describes a signal made by another program, or writes it as sound.
 
 #include "playback/program/command.h"
 

@@ -5,7 +5,7 @@
 
 namespace detent::playback {
 
-/// `detent-play render`: a press to a sound file, sample for sample what live play gives.
+/// `detent-play render`: writes a press to a sound file, with the same samples as live playback.
 void addRenderCommand(CLI::App& program, Action& chosen);
 
 }  // namespace detent::playback

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// detent-play: its command line, and what it runs.
+// detent-play: its command line, and the subcommands that it runs.
 
 #include "playback/program/command.h"
 
 namespace detent::playback {
 
-/// Parses, runs what was chosen; exit code (0 after --help, 2 after a wrong use that was explained).
+/// Parses and runs the chosen subcommand; returns the exit code (0 after --help, 2 after wrong usage, which
+/// is explained).
 int run(int argc, char** argv, const Cancelled& cancelled);
 
 }  // namespace detent::playback

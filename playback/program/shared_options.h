@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Options that several subcommands take, worded once.
+// Options that several subcommands share, so that they are worded once.
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ struct FeelOptions {
 };
 void addFeelOptions(CLI::App& app, FeelOptions& options);
 
-/// --placement alone, for subcommands that take no other setting of the feel.
+/// --placement alone, for subcommands without the other settings of the feel.
 CLI::Option* addPlacementOption(CLI::App& app, EventPlacement& placement);
 
 /// The sound output.
@@ -30,13 +30,14 @@ struct SensorOptions {
 };
 void addSensorOptions(CLI::App& app, SensorOptions& options);
 
-/// The profile of `file`, or an empty one where no file is named.
+/// The profile in `file`, or an empty one if no file is named.
 Result<DeviceProfile> profileOf(const std::string& file);
 
-/// The profile a measurement is written into: an existing one is added to, a broken one is not overwritten.
+/// The profile to which a measurement is added: an existing one is extended; an unreadable one is not
+/// overwritten.
 Result<DeviceProfile> profileToExtend(const std::string& file);
 
-/// Prints to stderr which of several graphs a press plays, by its speed.
+/// Prints to stderr which of several graphs a press uses, by its speed.
 void tellSpeed(const Button& button, std::optional<double> speed_mm_per_s);
 
 }  // namespace detent::playback

@@ -69,7 +69,7 @@ XyPlot responsePlot(const FrequencyResponse& response, const std::string& title)
   return plot;
 }
 
-/// The device's own rate; what most have where the device is not found (playing will say so).
+/// The device's own rate; if the device is not found, a common rate (playing will then report the failure).
 double ownRateOf(const std::string& device) {
   constexpr double usual_Hz = 48000;
   const Result<std::vector<SoundDevice>> devices = listSoundDevices();
@@ -81,7 +81,7 @@ double ownRateOf(const std::string& device) {
   return usual_Hz;
 }
 
-/// Losses of a run, for the user; empty if none.
+/// Description of dropouts in a run, for the user; empty if there were none.
 std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& response) {
   if (recorded.dropouts > 0)
     return "the sound system lost " + std::to_string(recorded.dropouts) +
@@ -94,8 +94,8 @@ std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& resp
                      : std::string());
 }
 
-/// One sweep proves nothing on a busy machine: a dropout resembles a resonance. Two sweeps without dropouts
-/// that agree are accepted.
+/// A single sweep is unreliable on a busy machine, because a dropout resembles a resonance. Two sweeps
+/// without dropouts that agree are accepted.
 Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const PlayerSettings& player,
                                                const SweepSettings& settings, const Cancelled& cancelled) {
   const std::vector<float> played = sweepSignal(settings);

@@ -17,7 +17,7 @@ namespace {
 constexpr double width = 640, plotHeight = 300, left = 70, right = 20, top = 34, axisRoom = 46,
                  noteHeight = 16, legendHeight = 16;
 constexpr int aboutTicks = 6;
-constexpr double thinnest_px = 0.4;  // points closer than this to the last one are left out
+constexpr double thinnest_px = 0.4;  // a point closer than this to the previous one is left out
 
 template <class... Values>
 void append(std::string& out, const char* format, Values... values) {
@@ -35,14 +35,14 @@ struct Range {
   }
   Ticks ticks() const {
     if (!(low <= high)) return niceTicks(0, 1, aboutTicks);
-    // Values that differ by rounding alone are one value.
+    // Values that differ only by rounding count as equal.
     const double rounding = 1e-9 * std::max(std::abs(low), std::abs(high));
     return high - low > rounding ? niceTicks(low, high, aboutTicks)
                                  : niceTicks(std::min(0.0, 2 * low), std::max(1e-9, 2 * high), aboutTicks);
   }
 };
 
-/// The horizontal axis: where it begins and ends, and the values that are printed.
+/// The horizontal axis: its range, and the values that are printed.
 struct XAxis {
   XScale scale = XScale::even;
   double low = 0, high = 1;
@@ -61,7 +61,7 @@ XAxis evenAxis(const Range& range) {
   return axis;
 }
 
-// From the first value to the last, with 1, 2 and 5 of each decade printed.
+// From the first value to the last, with labels at 1, 2 and 5 of each decade.
 XAxis decadesAxis(const Range& range) {
   XAxis axis{XScale::decades, range.low, range.high, {}, 0};
   for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10) {

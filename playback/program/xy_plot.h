@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Lines over two axes as an SVG: plots of runs and recordings.
+// Line plots over two axes as SVG, for runs and recordings.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ struct PlotPoint {
 
 /// One line; a NaN breaks it.
 struct PlotLine {
-  std::string name;   ///< in the legend; empty: in none
+  std::string name;   ///< name in the legend; empty: not listed
   std::string color;  ///< of SVG, "#1f5fa8"
   std::vector<PlotPoint> points;
   bool dashed = false;
@@ -22,7 +22,7 @@ struct PlotLine {
 /// Scale of the horizontal axis: equal steps, or decades (values > 0).
 enum class XScale { even, decades };
 
-/// A place on the horizontal axis that has a name.
+/// A named position on the horizontal axis.
 struct PlotMark {
   double x = 0;
   std::string name;
@@ -36,7 +36,7 @@ struct XyPlot {
   std::vector<PlotMark> marks = {};
 };
 
-/// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows.
+/// An SVG document with the plots below one another. Lines are thinned to what a screen can show.
 /// Deterministic.
 std::string svgOf(const std::vector<XyPlot>& plots);
 

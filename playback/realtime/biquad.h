@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Second-order filter sections of the engine: slope low-pass and device equalizer. Double precision,
-// transposed direct form II (the numerically calm one at 150 Hz and 192 kHz).
+// transposed direct form II (which is numerically stable for 150 Hz at 192 kHz).
 
 #include <cstddef>
 
@@ -16,8 +16,8 @@ struct BiquadCoefficients {
 /// 0.45 of the sample rate gives the identity.
 BiquadCoefficients lowPass(double sampleRate_Hz, double cutoff_Hz, unsigned order);
 
-/// First-order high-pass, -3 dB at the cutoff: nothing constant passes (Pd's hip~). A cutoff of 0, or out of
-/// band, gives the identity.
+/// First-order high-pass, -3 dB at the cutoff, which blocks constant signals (Pd's hip~). A cutoff of 0, or
+/// out of band, gives the identity.
 BiquadCoefficients highPass(double sampleRate_Hz, double cutoff_Hz);
 
 /// Peaking section after R. Bristow-Johnson's audio EQ cookbook. A frequency at or above 0.45 of the sample
@@ -31,8 +31,8 @@ BiquadCoefficients bandPass(double sampleRate_Hz, double centre_Hz, double q);
 /// |H| at a frequency; for plots and tests, not for the callback.
 double magnitude(const BiquadCoefficients& c, double sampleRate_Hz, double frequency_Hz);
 
-/// One running section. Its state falls to exactly zero after silence, so that an idle engine can be
-/// recognised and no denormal slows the callback.
+/// One running section. After silence its state becomes exactly zero, so that an idle engine can be
+/// recognised and no denormal numbers slow down the callback.
 class Biquad {
  public:
   void setCoefficients(const BiquadCoefficients& c) { c_ = c; }

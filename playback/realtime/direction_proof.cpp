@@ -23,7 +23,7 @@ void DirectionProof::begin(double position_mm, double push) {
   time_s_ = 0;
 }
 
-// From rest: whichever way the handle goes is its answer.
+// First push, from rest: in whichever direction the handle moves, that is its answer.
 void DirectionProof::firstPush(double position_mm) {
   const double way_mm = position_mm - from_mm_;
   if (std::abs(way_mm) >= settings_.way_mm) {
@@ -32,7 +32,7 @@ void DirectionProof::firstPush(double position_mm) {
   } else if (time_s_ < longestPush_s) {
     return;
   } else {
-    return begin(position_mm, -push_);  // perhaps it stands at a stop
+    return begin(position_mm, -push_);  // it may be at a stop, so the other direction is tried
   }
   farthest_mm_ = position_mm;
   turns_ = 1;
@@ -40,7 +40,7 @@ void DirectionProof::firstPush(double position_mm) {
   time_s_ = 0;
 }
 
-// The other way: the handle slows down, turns, and comes back.
+// Push in the other direction: the handle must slow down, turn, and come back.
 void DirectionProof::turningPush(double position_mm) {
   farthest_mm_ = moving_ > 0 ? std::max(farthest_mm_, position_mm) : std::min(farthest_mm_, position_mm);
   if (moving_ * (farthest_mm_ - position_mm) >= settings_.way_mm) {
@@ -50,7 +50,7 @@ void DirectionProof::turningPush(double position_mm) {
     time_s_ = 0;
     if (++turns_ == turnsThatProve) verdict_ = answer_ > 0 ? Verdict::agrees : Verdict::reversed;
   } else if (time_s_ >= longestPush_s) {
-    begin(position_mm, -push_);  // something else moves it: again
+    begin(position_mm, -push_);  // something else moves it, so this push is repeated
   }
 }
 

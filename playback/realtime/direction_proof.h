@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Proves, by pushes of some millinewtons, that a positive force moves the handle out: that motor and encoder
-// are not reversed and that the encoder counts. No allocation, lock or clock.
+// Proves, by pushes of some millinewtons, that a positive force moves the handle outwards: motor and encoder
+// are not reversed, and the encoder counts. No allocation, lock or clock.
 
 #include <cstdint>
 
@@ -9,14 +9,14 @@
 
 namespace detent::playback {
 
-/// Pushes in, out and in again. Each push must turn the handle round, which a hand that moves by itself does
-/// not do in step.
+/// Pushes in, out and in again. Each push must reverse the handle's movement; a hand that moves by itself
+/// does not do that in step with the pushes.
 class DirectionProof {
  public:
   enum class Verdict : std::uint8_t {
     running,
     agrees,    ///< the handle followed all three pushes
-    reversed,  ///< it moved against all three
+    reversed,  ///< it moved against all three pushes
     unmoved    ///< it followed none for 3 s: blocked, held, or the encoder does not count
   };
 
@@ -39,12 +39,12 @@ class DirectionProof {
   Verdict verdict_ = Verdict::running;
   bool begun_ = false;
   std::uint32_t turns_ = 0;        ///< pushes that the handle has answered
-  double push_ = 1;                ///< direction of the push: 1 is inwards
-  double moving_ = 0;              ///< direction the handle was seen to move in
+  double push_ = 1;                ///< direction of the present push: 1 is inwards
+  double moving_ = 0;              ///< direction in which the handle moves
   double answer_ = 0;              ///< 1: it follows the push, -1: it moves against it
-  double from_mm_ = 0;             ///< where the first push began
-  double farthest_mm_ = 0;         ///< in the direction it moved, since the push changed
-  double time_s_ = 0, all_s_ = 0;  ///< of this push, of all
+  double from_mm_ = 0;             ///< position at which the first push began
+  double farthest_mm_ = 0;         ///< farthest position in the direction of movement since the push changed
+  double time_s_ = 0, all_s_ = 0;  ///< duration of this push, and of all
 };
 
 }  // namespace detent::playback

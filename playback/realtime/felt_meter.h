@@ -11,21 +11,21 @@
 
 namespace detent::playback {
 
-/// The Pacinian channel: two band-passes one behind the other, 12 dB per octave on both flanks.
+/// The Pacinian channel: two band-passes in series, 12 dB per octave on both flanks.
 inline constexpr double pacinianBest_Hz = 250, pacinianQ = 0.9;
 inline constexpr std::size_t pacinianSections = 2;
 
 /// One owner, any thread; no allocation.
 class FeltMeter {
  public:
-  /// From now on measures for this program's device; keeps nothing else of the program.
+  /// Measures for this program's device from now on; keeps nothing else of the program.
   void use(const HapticProgram& program, double sampleRate_Hz);
   void add(const float* samples, std::size_t count);
-  /// The strongest 10 ms since the last call, dB above threshold; -infinity: nothing.
+  /// Level of the strongest 10 ms since the last call, dB above threshold; -infinity: silence.
   double take_dB();
 
  private:
-  static constexpr std::size_t slots = 4;  // of the 10 ms, so that no burst falls between two
+  static constexpr std::size_t slots = 4;  // overlapping windows of 10 ms, so that no burst falls between two
   static constexpr std::size_t span = 256;
 
   void addSpan(const float* samples, std::size_t count);

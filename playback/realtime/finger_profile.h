@@ -4,13 +4,13 @@
 
 namespace detent::playback {
 
-/// 0 to 1 over `share` 0 to 1 with no jerk at the ends: the profile of reaching movements (Flash & Hogan, J.
-/// Neurosci. 1985). Outside it stays at the nearer end.
+/// Progress 0 to 1 for `share` 0 to 1, with zero velocity and acceleration at both ends: the profile of
+/// reaching movements (Flash & Hogan, J. Neurosci. 1985). Outside that range, the value of the nearer end.
 double minimumJerk(double share);
 
-/// Turns a key press into force. Press and release follow the minimum-jerk profile of reaching movements
-/// (Flash & Hogan, J. Neurosci. 1985); while held, the force carries the 8-12 Hz physiological tremor,
-/// without chance: a given sequence of key times gives one sequence of readings.
+/// Converts a key press to force. Press and release follow the minimum-jerk profile of reaching movements
+/// (Flash & Hogan, J. Neurosci. 1985). While the key is held, the force has the physiological tremor of 8-12
+/// Hz, without randomness: the same key times always give the same readings.
 struct FingerProfile {
   double peak_N = 2;        ///< > 0
   double press_s = 0.08;    ///< time from touch to the full force; > 0

@@ -10,8 +10,8 @@ constexpr std::uint32_t earlyReadingsThatProve = 8;  // 19 ms at 425 Hz, 80 ms a
 }
 
 ConditionerSettings limitsFor(const HapticProgram& program) {
-  constexpr double overload = 5;           // a finger that presses a button five times too hard
-  constexpr double fastestPress_s = 1e-3;  // from nothing to the strongest force
+  constexpr double overload = 5;           // for a finger that presses a button five times too hard
+  constexpr double fastestPress_s = 1e-3;  // from zero to the strongest force
   constexpr double noisiest = 0.125;       // of the strongest force
   const double strongest_N = strongestForce_N(program);
   ConditionerSettings settings;
@@ -52,7 +52,7 @@ ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
   }
   const double step = std::fabs(value - lastValue_);
   const bool confirmed = suspected_ && std::fabs(value - suspect_) <= settings_.confirmBand * step;
-  if (confirmed) --counts_.glitches;  // the suspect was a reading after all
+  if (confirmed) --counts_.glitches;  // the rejected reading was valid after all
   if (confirmed || step <= settings_.fastest_per_s * elapsed_s) return accept(time_s, value, false);
   ++counts_.glitches;
   suspected_ = true;
@@ -60,14 +60,14 @@ ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
   return ConditionerVerdict::reject;
 }
 
-// One time far ahead would make every reading after it too early. Where readings keep coming, each after the
-// one before and all of them early, that one time was wrong.
+// A single time far ahead would make all later readings appear too early. If readings continue to arrive in
+// order and all of them are early, that single time was wrong.
 ConditionerVerdict ForceConditioner::judgeEarly(double time_s, double value) {
   ++counts_.outOfOrder;
   earlyInRow_ = earlyInRow_ > 0 && time_s > earlySuspect_s_ ? earlyInRow_ + 1 : 1;
   earlySuspect_s_ = time_s;
   if (earlyInRow_ < earlyReadingsThatProve) return ConditionerVerdict::reject;
-  --counts_.outOfOrder;  // this one is taken; those before it are lost and stay counted
+  --counts_.outOfOrder;  // this reading is accepted; the previous early ones are lost and stay counted
   ++counts_.wrongTimes;
   return accept(time_s, value, true);
 }

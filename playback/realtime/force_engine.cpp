@@ -9,11 +9,11 @@ namespace detent::playback {
 
 namespace {
 
-// The controller damps no harder than this: beyond, its own sampling would make energy.
+// Largest damping of the controller: with more, its own sampling would create energy.
 constexpr double controllerDamping_Ns_per_mm = 0.005;
-constexpr double controllerSpeed_mm_per_s = 0.5;  // below it there is nothing to damp
+constexpr double controllerSpeed_mm_per_s = 0.5;  // slower movements need no damping
 
-// An estimator that begins anew says 0 at first: that is no speed yet.
+// After a restart an estimator returns 0 at first, which is not yet a speed.
 constexpr double velocityKnown_s = 0.005;
 constexpr std::uint32_t velocityReadings = 5;
 constexpr std::uint32_t mostMissed = 100;
@@ -39,11 +39,11 @@ void ForceEngine::setProgram(const ForceProgram& program) {
   guard_.setLimits(program.limits, program.period_s, program.step_mm);
   velocity_ = VelocityEstimator(program.velocity, program.period_s, program.step_mm);
   sidewaysVelocity_ = {velocity_, velocity_};
-  resuming_ = true;  // the estimators know nothing yet
+  resuming_ = true;  // the velocity estimators have no data yet
   exchanged_ = running_;
 }
 
-// While one button becomes the other, the force moves energy of its own.
+// While the force changes from one button to another, the change itself moves energy, so the balance pauses.
 double ForceEngine::exchanging_N(double force_N) {
   if (exchanged_) {
     exchanged_ = false;
@@ -55,8 +55,8 @@ double ForceEngine::exchanging_N(double force_N) {
   return sent_N;
 }
 
-// An encoder that flickers between two steps says no more than that the position lies at their common edge:
-// exactly what this gives. Three steps wide would hide movement.
+// An encoder that alternates between two steps only shows that the position is at their common edge, which is
+// exactly the result here. A wider play would hide movement.
 double ForceEngine::steadied_mm(double position_mm) const {
   const double half_mm = 0.5 * program_->step_mm * (1 + 1e-9);
   return std::max(position_mm - half_mm, std::min(position_mm + half_mm, steady_mm_));
@@ -74,13 +74,13 @@ double ForceEngine::actingForce_N() const {
          (std::max(0.0, periods) - static_cast<double>(whole)) * (before(whole + 1) - before(whole));
 }
 
-// E(n) = E(n-1) + F (x(n) - x(n-1)) with the force that acted on the way here (Hannaford and Ryu's passivity
-// observer). The steadied position gives the distance: at each of its changes the handle stood on the edge
-// between two encoder steps.
+// E(n) = E(n-1) + F (x(n) - x(n-1)) with the force that acted during the movement (Hannaford and Ryu's
+// passivity observer). The distance is that of the steadied position: whenever it changes, the handle is at
+// the edge between two encoder steps.
 void ForceEngine::observe(double position_mm) {
   last_.energy_mJ += actingForce_N() * (position_mm - steady_mm_);
   steady_mm_ = position_mm;
-  // A ramp of the force changes the energy by itself, so the balance starts anew once the full force acts.
+  // A ramp of the force changes the energy by itself, so the balance restarts once the full force acts.
   const double worked_mJ = last_.energy_mJ + law_.stateEnergy_mJ();
   const bool whole = guard_.gain() == 1 && exchangeLeft_ == 0 && !exchanged_;
   if (whole && !full_) balanceOrigin_mJ_ = law_.stored_mJ(position_mm) - worked_mJ;
@@ -167,7 +167,7 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
   last_.good = verdict == ReadingVerdict::good;
   last_.proving = proving_;
   if (!last_.good) {
-    // The last force for a moment, then down to nothing.
+    // Holds the last force for a moment, then lets it fall to zero.
     const ForceCommand command = send(guard_.limit(heldForce_N_, std::nullopt), {});
     resuming_ = resuming_ || guard_.silent();
     if (missed_ < mostMissed) ++missed_;
@@ -179,7 +179,7 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
   const double before_mm = steady_mm_, missedInAll = missed_;
   const double position_mm = steadied_mm(reading.position_mm);
   observe(position_mm);
-  // A way that took several periods is no faster for that.
+  // A distance covered in several periods must not appear as a higher speed.
   for (; missed_ > 0; --missed_)
     velocity_.update(position_mm - (position_mm - before_mm) * missed_ / (missedInAll + 1));
   last_.velocity_mm_per_s = velocity_.update(position_mm);

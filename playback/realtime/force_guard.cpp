@@ -9,40 +9,43 @@ namespace detent::playback {
 
 namespace {
 
-// After too fast a movement the device must have slowed to this share of the limit before force comes back.
+// After excess speed, the device must have slowed down to this share of the limit before force returns.
 constexpr double calmShare = 0.5;
 
-// Frozen: at least such a speed and so many steps over the last three movements, then not one step for this
-// long, under a force that could surprise. Of 20,000 standstills of healthy presses none lasted longer than
-// 7 ms after 30 mm/s (docs/develop/decisions/1114-dead-encoders.md).
+// Frozen encoder: at least this speed and this many steps over the last three movements, then no step for
+// this time, under a force that could startle. Of 20,000 standstills in normal presses none lasted longer
+// than 7 ms after 30 mm/s (docs/develop/decisions/1114-dead-encoders.md).
 constexpr double swift_mm_per_s = 30, swiftSteps = 4, deadStill_s = 0.008, dangerous_N = 1;
 constexpr double frozenRamp_s = 0.005;
 
-// No stroke is longer than this unseen: a device that comes back farther away is somewhere else.
+// The longest movement assumed during missing readings: a device that comes back farther away has lost its
+// position.
 constexpr double longestUnseen_mm = 10;
-// A late or early reading of a steady movement; an encoder's noise; a stop's rebound.
+// Tolerances for a late or early reading of a steady movement, for an encoder's noise, and for the rebound
+// from a stop.
 constexpr double hasteOfPace = 1.5, reboundOfPace = 0.4, noiseSteps = 3;
-// An encoder that flickers is as bad as one that jumps: so many absurd readings within about this time.
+// This many absurd readings within about this time mean a lost position: an encoder that flickers is as bad
+// as one that jumps.
 constexpr double mostJumps = 2.5, jumpMemory_s = 0.05;
 
-// So many drop-outs within this time are no accident: a force that comes and goes shakes the hand.
+// This many drop-outs within this time halt the force, because a force that comes and goes shakes the hand.
 constexpr double dropOutWindow_s = 1, longAgo_s = -1e9;
-constexpr double thrown_s = 0.5;  // after a drop-out a handle may still fly under the finger that pressed it
-constexpr double longestStall = 4;  // periods, where that is more
+// after a drop-out a handle may still move fast under the finger that pressed it
+constexpr double thrown_s = 0.5;
+constexpr double longestStall = 4;  // in periods, if that is more
 
-// Dead count: after so long without a step the force is lowered slowly. A handle that only sticks moves at
-// once, because its friction carries less than the force; the force then comes back before much is felt. One
-// that does not move at all, not even without force for a moment, has no encoder.
+// Dead encoder: after this time without a step the force is lowered slowly. A handle that merely sticks moves
+// at once, because friction carries less than the force; the force then returns before much is felt. If
+// nothing moves, not even without force for a moment, the encoder is broken.
 constexpr double uncountedFor_s = 0.2, probe_s = 0.11, withoutForce_s = 0.1, probed_s = 0.02;
 
-// Runaway: a motor that works as it should takes energy out of a handle that moves against it. So much work,
-// of which so much came back as speed instead, or so far beyond the travel at the whole force without slowing
-// down, or for so long.
+// Runaway: a correct motor takes energy from a handle that moves against it. Halts when this much work was
+// done without it, because it came back as speed, or because the handle passed the end of travel under the
+// full force without slowing down, or for too long.
 constexpr double wholeShare = 0.95, runawayWork_mJ = 0.7, leastResisting_N = 0.2;
-constexpr double leastGain_mJ =
-    1;  // where the limit lies below the button's force, a finger may press through it
-constexpr double gainedAtLimit = 0.2,  // the handle may be heavier than the profile says
-    gainedBeyond = 0.8;                // a strong finger may still gain speed just beyond the travel
+constexpr double leastGain_mJ = 1;  // if the limit is below the button's force, a finger may press through it
+constexpr double gainedAtLimit = 0.2,  // the handle may be heavier than the profile states
+    gainedBeyond = 0.8;                // a strong finger may still accelerate just beyond the travel
 constexpr double farBeyond_mm = 2, slowing = 0.8, notSlowingFor_s = 0.0015, pinnedFor_s = 0.1,
                  comingBack_mm_per_s = 10;
 
@@ -63,9 +66,9 @@ void ForceGuard::setLimits(const ForceLimits& limits, double period_s, double st
   step_mm_ = step_mm;
 }
 
-// A hand that stops, or a spring, slows the handle down over several readings; only a broken encoder goes
-// from a steady pace to none, or a handle that comes back to its stop. Where it was another hard stop, the
-// force comes back with the next step.
+// Returns true if the encoder seems to have stopped counting. A hand that stops, or a spring, slows the
+// handle down over several readings. An immediate stop means a broken encoder or a handle that hits its stop;
+// in the latter case the force returns with the next step.
 bool ForceGuard::frozen(double force_N) const {
   const double way_mm = std::abs(paces_mm_[0] + paces_mm_[1] + paces_mm_[2]);
   const auto readings = static_cast<double>(paces_mm_.size());
@@ -144,7 +147,7 @@ void ForceGuard::follow(double position_mm) {
 void ForceGuard::followJumps(ReadingVerdict verdict, double position_mm, double periods) {
   jumps_ *= std::exp(-periods * period_s_ / jumpMemory_s);
   if (verdict == ReadingVerdict::absurd) {
-    if (settling()) return forgetPlace();  // no force has come of it: another place is taken on trust
+    if (settling()) return forgetPlace();  // no force has resulted from it, so another position is accepted
     jumpedTo_mm_ = position_mm;
     ++jumps_;
     if (bad_ > held() || (bad_ == 1 && jumps_ > mostJumps)) displace();
@@ -164,7 +167,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
     riseAnew();
   }
   since_ += periods;
-  unseen_ += std::max(0.0, periods - 1);  // a loop that was late saw nothing meanwhile
+  unseen_ += std::max(0.0, periods - 1);  // during a delay of the loop no readings were taken
   const ReadingVerdict verdict = verdictOn(position_mm, fresh);
   count(verdict);
   if (verdict == ReadingVerdict::good) {
@@ -264,8 +267,8 @@ void ForceGuard::moveGain() {
   if (gain_ < 1e-9) gain_ = 0;
 }
 
-/// The force as far as the count is believed. A live encoder under a hand that holds still changes as soon as
-/// the force does.
+/// Reduces the force while the encoder does not count. Under a hand that holds still, a working encoder
+/// changes as soon as the force does.
 double ForceGuard::watchedCount(double force_N) {
   const bool watched = std::abs(force_N) > limits_.deadCountAbove_N && last_mm_ > limits_.deadCountFrom_mm;
   const bool stoppedDead = moved_mm_ == 0 && frozen(force_N);
@@ -277,7 +280,7 @@ double ForceGuard::watchedCount(double force_N) {
   } else if (uncounted_s_ >= uncountedFor_s) {
     counts_.probed += before_s < uncountedFor_s ? 1 : 0;
     believed_ = std::max(0.0, believed_ - elapsed_s_ / probe_s);
-  } else if (running_) {  // a force that fades does not come back by the way
+  } else if (running_) {  // a force that is fading out must not come back
     believed_ = std::min(1.0, believed_ + elapsed_s_ / probed_s);
   }
   if (believed_ == 0 && watched && uncounted_s_ >= uncountedFor_s + probe_s + withoutForce_s)
@@ -294,7 +297,8 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
     return;
   }
   const double read_mm_per_s = elapsed_s_ > 0 ? moved_mm_ / elapsed_s_ : 0;
-  // Two readings tell a speed only as well as they are on time; a late one would pass for energy that the handle brought with it.
+  // Two readings give a speed only as accurately as they are timed; a late reading would appear as energy
+  // that the handle brought with it.
   const double speed_mm_per_s = against * velocity_mm_per_s.value_or(read_mm_per_s);
   const double now_mJ = speed_mm_per_s > 0 ? kinetic_mJ(limits_.movedMass_kg, speed_mm_per_s) : 0;
   if (!resisting_) {
@@ -312,9 +316,9 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
                       (whole ? gained_mJ >= std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_)
                              : gained_mJ >= gainedBeyond * resisted_mJ_);
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
-  // A force that came and went threw it there.
+  // A force that came and went has thrown the handle there.
   latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);
-  riseAnew();  // at once: each millisecond of such a force adds speed
+  riseAnew();  // at once, because each millisecond of such a force adds speed
 }
 
 double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s) {
@@ -341,7 +345,7 @@ double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s
     wanted_N = output_N_ + std::copysign(largestChange_N, change_N);
     ++counts_.slewLimited;
   }
-  const double most_N = gain_ * limits_.force_N;  // a slow slew keeps no force that has to go
+  const double most_N = gain_ * limits_.force_N;  // a low slew limit must not keep a force that has to vanish
   return output_N_ = std::clamp(wanted_N, -most_N, most_N);
 }
 

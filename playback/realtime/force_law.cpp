@@ -8,11 +8,11 @@ namespace detent::playback {
 
 namespace {
 
-// A finger that moves less than one step in this time counts as slow. Then half a step of lag is not
+// A finger that moves less than one step in this time counts as slow. Half a step of lag is then not
 // compensated, so that a tremor across the edge of a step does not change the force.
 constexpr double slowStep_s = 0.02;
 constexpr double faded_N = 1e-4;
-constexpr double sameForce = 1.1;  // a rise of less is hardly felt, and waits for no lead
+constexpr double sameForce = 1.1;  // a smaller rise is hardly felt and needs no prediction
 constexpr double calm_mm_per_s = 10, calmFor_s = 0.005;
 
 double between(double low, double high, double share) { return low + share * (high - low); }
@@ -76,8 +76,8 @@ double ForceLaw::stored_mJ(double position_mm) const {
   if (place >= last) {
     const double above_mm = (place - last) * t.spacing_mm;
     const ForceRow& end = t.rows[t.rowCount - 1];
-    // Where the end pulls, the start of the end stop holds the least energy; the table's rounding is no
-    // energy.
+    // If the force pulls at the end, the least energy is at the start of the end stop; negative values are
+    // the table's rounding.
     return std::max(0.0, end.*held + above_mm * (end.*force + 0.5 * t.bottomOutSlope_N_per_mm * above_mm)) +
            playStored_mJ(position_mm);
   }
@@ -85,14 +85,14 @@ double ForceLaw::stored_mJ(double position_mm) const {
   return between(t.rows[i].*held, t.rows[i + 1].*held, std::max(place, 0.0) - i) + playStored_mJ(position_mm);
 }
 
-// On the way from the press to the release curve the force lies above the latter: 2r times the integral over
-// the share u of (press - release) u, by Simpson's rule.
+// Energy stored in the play. Between press and release curve the force is above the latter: the result is 2r
+// times the integral over the share u of (press - release) u, by Simpson's rule.
 double ForceLaw::playStored_mJ(double position_mm) const {
   if (pending() || !table().hysteresis) return 0;
   const double radius_mm = program_->law.playRadius_mm;
   const double share = std::clamp(play_.pressShare(position_mm, radius_mm), 0.0, 1.0);
   const auto apart_N = [&](double at_mm) {
-    const Place place = placeAt(at_mm);  // interpolated, equal curves differ by rounding
+    const Place place = placeAt(at_mm);  // after interpolation, equal curves differ by rounding
     return std::max(0.0, place.force_N(&ForceRow::press_N) - place.force_N(&ForceRow::release_N));
   };
   return radius_mm * share * share / 3 *
@@ -107,9 +107,9 @@ double ForceLaw::curveForce_N(const Place& place, double pressShare, double velo
              : press_N;
 }
 
-// A sampled force acts late. Of the force here and the force where the finger will be when it acts, the one
-// that takes more energy: a spring rendered this way gives back no more than was put in, whatever damping the
-// device lacks.
+// A sampled force acts late. Of the force at the present position and that at the predicted position, returns
+// the one that takes more energy: a spring rendered this way gives back no more than was put in, even if the
+// device has little damping.
 double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const {
   const Place here = placeAt(position_mm);
   double force_N = curveForce_N(here, pressShare, velocity_mm_per_s);
@@ -117,7 +117,7 @@ double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, dou
   const double lead_mm =
       velocity_mm_per_s * program_->law.holdLead_s +
       0.5 * program_->step_mm * std::clamp(velocity_mm_per_s / leadSpeed_mm_per_s_, -1.0, 1.0);
-  // An actuation comes before the force behind its operating point does.
+  // The prediction stops at the operating point, because the actuation comes before the force behind it.
   const double farthest_mm = pending() ? std::max(position_mm, table().operating_mm) : position_mm + lead_mm;
   const double aheadShare = std::clamp(pressShare + 0.5 * lead_mm / program_->law.playRadius_mm, 0.0, 1.0);
   const double ahead_N =
@@ -140,15 +140,15 @@ double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
   return caught_ ? force_N : force_N + caughtBy_N(velocity_mm_per_s);
 }
 
-// A handle that falls into its latch would bounce there, and a bounce is no press: it is damped, and until it
-// has been calm for a moment nothing actuates. The turns of a bounce are shorter than this moment.
+// A handle that falls into its latch would bounce, and a bounce is no press. It is damped, and nothing
+// actuates until it has been calm for a moment that is longer than the turns of a bounce.
 double ForceLaw::caughtBy_N(double velocity_mm_per_s) {
   calm_s_ = std::abs(velocity_mm_per_s) < calm_mm_per_s ? calm_s_ + program_->period_s : 0;
   caught_ = calm_s_ >= calmFor_s;
   return program_->law.catchDamping_Ns_per_mm * velocity_mm_per_s;
 }
 
-// The cross-fade may give what the state before still held, and no more: beyond, it goes at once.
+// The cross-fade may give at most the energy that the previous state still held; beyond that it ends at once.
 void ForceLaw::fade(double position_mm, double velocity_mm_per_s) {
   const double given_mJ = std::max(0.0, fading_N_ * (fadedAt_mm_ - position_mm));
   fadedAt_mm_ = position_mm;
@@ -160,15 +160,15 @@ void ForceLaw::fade(double position_mm, double velocity_mm_per_s) {
   if (std::abs(fading_N_) < faded_N) fading_N_ = 0;
 }
 
-// Before the operating point a press can only be taken back, on its own curve. After it the release curve
-// counts, and where that comes to rest the other state begins.
+// Changes the state. Before the operating point a press can only be reversed, along its own curve. After it,
+// the release curve applies, and where that comes to rest the next state begins.
 void ForceLaw::followState(double position_mm, double lead_mm, double velocity_mm_per_s) {
   if (!actuated_) {
     if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
     const double at_mm = std::max(position_mm, table().operating_mm);
-    // If the force rises at the actuation, the state changes early, so that the new force acts when the
-    // handle arrives: late, the handle would do less work than the state then stores. Otherwise wait for the
-    // handle.
+    // If the force increases at the actuation, the state changes early, so that the new force acts when the
+    // handle arrives; otherwise the handle would do less work than the new state stores. If the force does
+    // not increase, the change waits for the handle.
     const Place acts = placeAt(at_mm);
     if (position_mm < at_mm &&
         acts.force_N(&ForceRow::press_N) <= sameForce * acts.force_N(&ForceRow::pending_N))

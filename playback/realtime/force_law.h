@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The force of a button at a position and a velocity: F = F(x, v) + b(x) v, with press and release joined by
-// a play operator and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in
-// the place of k(x) x. Where there are graphs at several speeds, the press curve follows the speed of
-// pressing and the release curve that of releasing: at rest and where the handle turns both are those of the
-// lowest speed, so that no force jumps with a velocity's sign.
+// a play operator, and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in
+// place of k(x) x. With graphs at several speeds, the press curve follows the speed of pressing and the
+// release curve that of releasing. At rest, and where the handle turns, both are those of the lowest speed,
+// so that no force jumps when the velocity changes its sign.
 
 #include <cstdint>
 
@@ -13,31 +13,31 @@
 
 namespace detent::playback {
 
-/// Runs one program. The program must outlive it. No allocation, lock, clock or exception.
+/// Evaluates one program, which must outlive it. No allocation, lock, clock or exception.
 class ForceLaw {
  public:
   explicit ForceLaw(const ForceProgram& program);
 
-  /// Starts at rest in the first state at a position; between release (0) and press curve (1) at a share.
+  /// Starts at rest in the first state at a position; `pressShare`: between release (0) and press curve (1).
   void restart(double position_mm, double pressShare = 0);
-  /// Share of the last step between release (0) and press curve (1).
+  /// Position of the last step between release (0) and press curve (1).
   double pressShare() const { return pressShare_; }
 
-  /// Force in N, before any limit. `position_mm` is free of flicker (force_engine.h), finite.
+  /// Force in N, before any limit. `position_mm` is finite and without flicker (force_engine.h).
   double step(double position_mm, double velocity_mm_per_s);
 
   std::uint32_t state() const { return state_; }
-  /// The press of this actuation has passed the operating point (self-locking buttons).
+  /// Returns true if the present press has passed the operating point (self-locking buttons).
   bool actuated() const { return actuated_; }
-  /// Energy held at a position, with the memory the law has now (mJ, >= 0).
+  /// Energy stored at a position in the law's present state (mJ, >= 0).
   double stored_mJ(double position_mm) const;
-  /// Increase of the stored energy by actuations and changes of state since `restart` (mJ): the energy that
-  /// they may give.
+  /// Increase of the stored energy by actuations and changes of state since `restart` (mJ): energy that these
+  /// may give.
   double stateEnergy_mJ() const { return stateEnergy_mJ_; }
 
  private:
-  /// Between two rows, or in the end stop behind the last. Properties that a button does not have are not
-  /// read from them.
+  /// A position between two rows, or in the end stop behind the last. Table columns of properties that the
+  /// button does not have are not read.
   struct Place {
     const ForceStateTable* table;
     std::uint32_t below, above;
@@ -56,7 +56,7 @@ class ForceLaw {
   double curveForce_N(const Place& place, double pressShare, double velocity_mm_per_s) const;
   bool pending() const { return program_->stateCount > 1 && !actuated_; }
   double movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const;
-  /// `lead_mm` >= 0: how far on the handle is when the force acts.
+  /// `lead_mm` >= 0: distance that the handle moves until the force acts.
   void followState(double position_mm, double lead_mm, double velocity_mm_per_s);
   double playStored_mJ(double position_mm) const;
   void fade(double position_mm, double velocity_mm_per_s);
@@ -68,11 +68,12 @@ class ForceLaw {
   double pressShare_ = 0;
   std::uint32_t state_ = 0;
   bool actuated_ = false;
-  bool caught_ = true;   ///< the handle has been calm since the state changed: a press may actuate
-  double calm_s_ = 0;    ///< for so long it has been
-  double fading_N_ = 0;  ///< of the state before, cross-fading
+  bool caught_ = true;   ///< the handle has been calm since the state changed, so a press may actuate
+  double calm_s_ = 0;    ///< duration of that calm so far
+  double fading_N_ = 0;  ///< force difference to the previous state, which fades out
   double fadeLeft_mJ_ = 0,
-         fadedAt_mm_ = 0;  ///< what the cross-fade may still give; where it was counted last
+         /// energy that the cross-fade may still give, and the position where it was last counted
+      fadedAt_mm_ = 0;
   double fadeFactor_ = 0;
   double leadSpeed_mm_per_s_ = 0;
   double stateEnergy_mJ_ = 0;

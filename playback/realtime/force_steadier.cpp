@@ -17,9 +17,10 @@ constexpr double quickReadings = 128, slowReadings = 1024;
 
 constexpr double negligible_N = 0.001;  // a tenth of a grain on the softest sample button
 constexpr double follow_sd = 2.5, turn_sd = 8, leave_sd = 7, agree_sd = 2;
-constexpr std::size_t surest = 256;  // readings a resting force is averaged over at least, then it stays,
-constexpr double surest_s = 0.25;    // and over that time: 256 readings at 10 kHz may be a stroke's end
-constexpr double released_sd = 1.5;  // a resting force this close to none is none
+// least number of readings over which a resting force is averaged before it stays,
+constexpr std::size_t surest = 256;
+constexpr double surest_s = 0.25;    // and least time: 256 readings at 10 kHz may be the end of a stroke
+constexpr double released_sd = 1.5;  // a resting force this close to zero is zero
 
 double shareOf(std::size_t window) { return 1 / std::sqrt(static_cast<double>(std::size_t{1} << window)); }
 
@@ -80,7 +81,7 @@ double ForceSteadier::next(double time_s, double reading) {
   const bool first = count_ == 0;
   remember(reading);
   if (first || s == 0) {
-    // Nothing to smooth: the finger is where the reading says, and may go either way from there.
+    // Without noise: the finger is where the reading says, and may move in either direction from there.
     turn(reading < force_ ? Motion::down : Motion::up, 1);
     force_ = reading;
     return force_;
@@ -141,12 +142,12 @@ void ForceSteadier::followMotion(double s) {
 void ForceSteadier::restIfStill(double s, double time_s) {
   if (age_ < longest || count_ < longest) return;
   const double half = means_[windows - 2], whole = means_[windows - 1];
-  const double difference = 2 * (half - whole);  // newer half less older half
+  const double difference = 2 * (half - whole);  // mean of the newer half minus that of the older one
   if (std::fabs(difference) > agree_sd * s * std::sqrt(4.0 / static_cast<double>(longest))) return;
   resting_ = whole;
   restingCount_ = longest;
   restingSince_s_ = time_s;
-  // The force stays where it is: a step to the resting mean would be a movement under a finger that stands.
+  // The force is kept: a step to the resting mean would be a movement under a still finger.
   if (motion_ == Motion::down && resting_ < released_sd * s) force_ = std::min({force_, resting_, 0.0});
   motion_ = Motion::rest;
 }

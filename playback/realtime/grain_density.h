@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Level of a grain among others: where grains touch, more of them per second are felt only as louder. Powers
-// by square roots alone: the same bits on every machine.
+// Level of a grain among others: grains that follow each other closely feel louder, not denser. Computed with
+// square roots only, so that it has the same bits on every machine.
 
 #include <cmath>
 
 namespace detent::playback {
 
-/// Power of the density that grains are as loud as: 1.9 dB per doubling.
+/// Exponent of the density in the loudness of grains: 1.9 dB per doubling.
 inline constexpr double levelByDensity = 0.3125;
 
-/// Level of grains that come `density_per_s` times a second, of 1 at `loudest_per_s` and above. As quiet as
-/// grains get where one has ended before the next begins, `alone_per_s` (> 0). No number counts as that.
+/// Level of grains at a rate of `density_per_s`: 1 at `loudest_per_s` and above. The lowest level is that at
+/// `alone_per_s` (> 0), the rate at which one grain ends before the next begins. NaN counts as that rate.
 inline double levelOfDensity(double density_per_s, double loudest_per_s, double alone_per_s) {
   const double heard_per_s = density_per_s > alone_per_s ? density_per_s : alone_per_s;
   const double share = heard_per_s < loudest_per_s ? heard_per_s / loudest_per_s : 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The one voice of the slope: grains follow each other on it, a new one before the last has ended.
+// The single voice of the slope: grains follow each other on it, and a new one may begin before the last has
+// ended.
 
 #include <cmath>
 #include <cstddef>
@@ -12,14 +13,14 @@
 namespace detent::playback {
 
 /// Kim & Lee: "If a new grain signal comes during playing the previous signal, the new one is played
-/// immediately." On a running carrier the new grain renews the envelope and the sine goes on (an oscillator
-/// times an envelope, as in a patch of Pure Data); retriggered, the sine begins anew and, where grains come
-/// faster than half waves, never gets through one. A grain out of silence begins at phase 0 on both, so a
-/// grain that is left alone is the closed form of Burst.
+/// immediately." On a running carrier the new grain restarts the envelope while the sine continues (an
+/// oscillator times an envelope, as in a Pure Data patch). Retriggered, the sine restarts too; if grains come
+/// faster than half waves, no half wave is ever completed. A grain after silence begins at phase 0 in both
+/// modes, so a single grain is the closed form of Burst.
 class GrainVoice {
  public:
   bool active() const { return envelopeAge_ < envelopeLength_; }
-  /// A new grain may renew the envelope at any time.
+  /// A new grain may restart the envelope at any time, so this is always its full amplitude.
   double loudest() const { return amplitude_; }
 
   void start(const Burst& burst, GrainCarrier carrier, double sampleRate_Hz) {
@@ -53,8 +54,8 @@ class GrainVoice {
   }
 
  private:
-  /// Phase of the next sample, in cycles within [0, 1). Counted from whole samples, so that errors do not add
-  /// up.
+  /// Phase of the next sample, in cycles within [0, 1). Computed from the whole number of samples, so that
+  /// errors do not accumulate.
   double phase() const {
     const double cycles = firstPhase_ + static_cast<double>(carrierAge_) * cyclesPerSample_;
     return cycles - static_cast<double>(static_cast<std::int64_t>(cycles));

@@ -12,16 +12,17 @@ namespace {
 
 constexpr double gainRamp_s = 0.01;
 constexpr double scanAhead_s = 0.004;  // more than the half wave of a grain, 3.3 ms
-// Turning down moves the output by at most so much of full scale, as a sine of 240 Hz does: no click.
+// Fastest decrease of the output by the limiter, as share of full scale per second: that of a sine of 240 Hz,
+// which is no click.
 constexpr double steepestTurn_per_s = 1500;
 
-// Bursts that keep their distance queue up at most this long; only a trembling no finger can make gets there.
+// Longest queue of bursts that keep their distance. Only a tremor that no finger can make reaches it.
 constexpr double longestQueue_s = 0.1;
 
-// Times that are whole samples up to rounding (0.01 s at 48 kHz) give that sample.
+// A time that is a whole sample except for rounding (0.01 s at 48 kHz) gives that sample.
 constexpr double frameRounding = 1e-6;
 
-// NaN and times that no stream reaches become the ends of the time line: at once, or never.
+// Converts NaN and times that no stream reaches to the ends of the time line: at once, or never.
 std::int64_t wholeFrame(double time_frames) {
   constexpr double farthest_frames = 0x1p62;  // 0.8 million years at 192 kHz
   if (!(time_frames > -farthest_frames)) return -(std::int64_t{1} << 62);
@@ -83,9 +84,9 @@ void HapticEngine::use(const HapticProgram* program, const std::vector<SpeedProg
   program_ = program;
   counts_.suppressed = tracker_.suppressed();
   tracker_.use(program, speeds);
-  forgetWaiting();  // what was still to come belongs to the old program
+  forgetWaiting();  // waiting events belong to the old program
   if (program == nullptr) return;
-  // A finger given by its displacement is placed by it: its force belongs to the previous button.
+  // A finger with a known displacement is placed by it, because its force belongs to the previous button.
   if (heldByDisplacement_) {
     tracker_.placeAtDisplacement(held_mm_);
   } else {
@@ -196,11 +197,11 @@ Burst HapticEngine::burstOf(const Crossing& crossing, double met_frames) {
   }
 }
 
-// Of jumps and bottom-outs, which keep their distance. False: too many wait already.
+// Delays a jump or bottom-out so that it keeps its distance. Returns false if too many wait already.
 bool HapticEngine::waitForTurn(Pending& p) {
   const bool bottomOut = p.event.kind == EventKind::bottomOut;
   const double waits_frames = static_cast<double>(nextBurstFrame_ - p.frame);
-  // The bottom-out always plays: without it a press has no end.
+  // The bottom-out always plays, because without it a press has no end.
   if (!bottomOut && waits_frames > longestQueue_s * sampleRate_Hz_) {
     ++counts_.crowded;
     return false;
@@ -222,7 +223,7 @@ void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames, dou
     ++counts_.late;
     p.frame = now_;
   }
-  // Events of one finger stay in the order travelled even where sensor time was uneven.
+  // Events of one finger stay in the order travelled even if sensor times were uneven.
   if (p.frame < lastScheduled_) p.frame = lastScheduled_;
   lastScheduled_ = p.frame;
   p.event.kind = kindOf(crossing.kind);
@@ -258,7 +259,7 @@ void HapticEngine::triggerGrain(double time_frames) {
   insert(p);
 }
 
-// Sorted by frame; equal frames keep the order of arrival. Nearly always an append.
+// Inserts by frame; equal frames keep the order of arrival. Nearly always appends.
 void HapticEngine::insert(const Pending& pending) {
   if (pendingCount_ == pendingCapacity) {
     const Pending oldest = pending_[pendingHead_];
@@ -385,8 +386,8 @@ double HapticEngine::loudestWithin(double samples) const {
   return sum * (gain_ > gainTarget_ ? gain_ : gainTarget_);
 }
 
-// Computes the sounding voices ahead, up to the next event, so that the limiter knows a peak before it comes
-// and the sound needs no delay.
+// Computes the sounding voices in advance, up to the next event, so that the limiter knows a peak before it
+// arrives without delaying the sound.
 void HapticEngine::scanAhead() {
   const double horizon = std::floor(scanAhead_s * sampleRate_Hz_);
   const bool everLoud = loudestWithin(highestSampleRate_Hz) > limiter_.ceiling();
@@ -398,13 +399,14 @@ void HapticEngine::scanAhead() {
   double first = 0;
   const double peak = peakWithin(static_cast<std::size_t>(horizon), first);
   const double wanted = peak > limiter_.ceiling() ? limiter_.ceiling() / peak : 1;
-  // As soon as what sounds now lets it: out of silence at once.
+  // The decrease may begin as soon as the present sound allows: after silence at once.
   const double step = first * std::fmax(0.0, limiter_.gain() - wanted);
-  const double wait_s = std::fmin(step / steepestTurn_per_s, 1);  // of a level beyond all numbers too
+  const double wait_s = std::fmin(step / steepestTurn_per_s, 1);  // also for an infinite level
   limiter_.expect(wanted, static_cast<std::size_t>(wait_s * sampleRate_Hz_));
 }
 
-// By a copy of all that sounds. `first`: the level of the very next sample.
+// Peak of the next samples, computed with a copy of all that sounds. `first`: the level of the very next
+// sample.
 double HapticEngine::peakWithin(std::size_t samples, double& first) {
   const double gain = gain_ > gainTarget_ ? gain_ : gainTarget_;
   ahead_ = chains_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The engine that runs in the audio callback: readings in, samples out. Sound is a function of (program,
-// inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded
-// chance. The live path and the offline render call this same class.
+// The engine that runs in the audio callback: readings in, samples out. Its sound depends only on program,
+// inputs and sample index: no clock, allocation, lock, file, exception or unseeded random number. Live
+// playback and offline rendering use this same class.
 //
 // Reading order: haptic_program.h (what is played), stroke_tracker.h, speed_tracker.h (readings ->
 // crossings), grain_voice.h, voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file
-// (when), live_session.h (the bridge to other threads).
+// (when), live_session.h (connection to other threads).
 
 #include <array>
 #include <cstddef>
@@ -24,14 +24,14 @@ namespace detent::playback {
 enum class InputKind : std::uint8_t {
   force,              ///< value in N
   displacement,       ///< value in mm
-  resync,             ///< value in N: the sensor is back; take the position without any sound
-  resyncDisplacement  ///< value in mm: likewise, of a finger that is known by its displacement
+  resync,             ///< value in N: the sensor is back; move to this position without any sound
+  resyncDisplacement  ///< value in mm: the same, for a finger that is tracked by its displacement
 };
 
-/// One conditioned reading on the engine's own time line.
+/// One conditioned reading on the engine's time line.
 struct EngineInput {
   InputKind kind = InputKind::force;
-  double time_frames = 0;  ///< when it was read, in samples since the engine started; never decreasing
+  double time_frames = 0;  ///< time of the reading, in samples since the engine started; never decreasing
   double value = 0;
 };
 
@@ -46,7 +46,7 @@ enum class EventKind : std::uint8_t {
   trigger
 };
 
-/// Event for a display, of something met on the way.
+/// The event for a display that corresponds to a crossing.
 EventKind kindOf(CrossingKind kind);
 
 /// One thing that was felt, for displays and logs.
@@ -54,7 +54,7 @@ struct EngineEvent {
   EventKind kind = EventKind::grain;
   std::uint8_t state = 0;
   std::uint16_t jump = 0;
-  std::uint32_t count = 1;  ///< grains merged into it
+  std::uint32_t count = 1;  ///< number of grains merged into it
   std::int64_t frame = 0;   ///< sample at which it sounds
   double displacement_mm = 0;
   double amplitude = 0;  ///< of its burst, before filters and gain; 0 where none sounds
@@ -63,65 +63,65 @@ struct EngineEvent {
 /// Running totals; all since the engine started.
 struct EngineCounts {
   std::uint64_t inputs = 0;
-  std::uint64_t grains = 0;  ///< grain positions crossed and played (merged ones counted singly)
+  std::uint64_t grains = 0;  ///< grain positions crossed and played (merged ones are counted singly)
   std::uint64_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0, triggers = 0;
-  std::uint64_t suppressed = 0;     ///< chatter: met while not armed
+  std::uint64_t suppressed = 0;     ///< crossings while not armed (chatter)
   std::uint64_t crowded = 0;        ///< jumps left out because too many were waiting for their turn
-  std::uint64_t late = 0;           ///< events whose place had already been rendered; played at once
-  std::uint64_t droppedInputs = 0;  ///< input ring full (flooding); the next reading carries the position on
+  std::uint64_t late = 0;           ///< events whose time had already been rendered; played at once
+  std::uint64_t droppedInputs = 0;  ///< input ring full (flooding); the next reading sets the position
   std::uint64_t hastened = 0;       ///< events played early because the event ring was full
   std::uint64_t stolenVoices = 0;
-  std::uint64_t droppedEvents = 0;  ///< reports nobody fetched
+  std::uint64_t droppedEvents = 0;  ///< reports that nobody took
 };
 
-/// A large fixed-size object: make it once, outside the callback, and keep it in place.
+/// A large object of fixed size: construct it once, outside the callback, and do not move it.
 class HapticEngine {
  public:
   static constexpr double lowestSampleRate_Hz = 8000;
   static constexpr double highestSampleRate_Hz = 192000;
 
-  /// Rates outside the limits are moved to them.
+  /// Rates outside the limits are set to the nearest limit.
   explicit HapticEngine(double sampleRate_Hz);
   HapticEngine(const HapticEngine&) = delete;
   HapticEngine& operator=(const HapticEngine&) = delete;
 
   double sampleRate_Hz() const { return sampleRate_Hz_; }
-  /// Goes on at another rate, within the same limits: program, position, gain and counts stay, what sounded
-  /// or waited is gone. While no callback runs.
+  /// Continues at another rate, within the same limits. Program, position, gain and counts are kept; sounding
+  /// and waiting events are dropped. Only while no callback runs.
   void setSampleRate(double sampleRate_Hz);
   std::int64_t frame() const { return now_; }
 
   /// Plays another program from the next sample on; `program` must outlive its use (nullptr: silence).
-  /// What sounds, ends as its own program meant it; a pressed finger is taken over without a sound. Callback
-  /// thread or before the stream starts.
+  /// Sounding events end by their own program; a pressed finger is taken over without a sound. Callback
+  /// thread, or before the stream starts.
   void use(const HapticProgram* program) { use(program, nullptr); }
-  /// Sets a button with graphs at several speeds (live_program.h); `speeds` must outlive its use too.
+  /// Sets a button with graphs at several speeds (live_program.h); `speeds` must also outlive its use.
   void use(const HapticProgram* program, const std::vector<SpeedProgram>* speeds);
   const HapticProgram* program() const { return program_; }
 
-  /// Extra constant delay of time-stamped events, in samples: the live path's buffer. Default 0. Callback
-  /// thread.
+  /// Additional constant delay of time-stamped events, in samples: the buffer of live playback. Default 0.
+  /// Callback thread.
   void setBufferDelay(double frames) { bufferDelay_frames_ = frames > 0 ? frames : 0; }
 
   /// Click-free change of the output gain (10 ms ramp), >= 0. Callback thread.
   void setGain(double gain);
 
-  /// Takes a reading; it is applied at its own time, or at once if that has passed. False: ring full,
-  /// counted.
+  /// Takes a reading, which is applied at its own time, or at once if that has passed. Returns false if the
+  /// ring is full, which is counted.
   bool push(const EngineInput& input);
-  /// Readings that are not due yet never come.
+  /// Drops all readings that are not due yet.
   void forgetInputs();
 
-  /// Plays a burst that another program requested (signal messages). Order of calls is free.
+  /// Plays a burst that another program requested (signal messages). Calls may be in any order of time.
   void trigger(double time_frames, const Burst& burst);
   /// Plays one grain of the current program.
   void triggerGrain(double time_frames);
 
-  /// Writes `count` samples, each within [-1, 1]. Any count; the result does not depend on how it is cut into
-  /// calls.
+  /// Writes `count` samples, each within [-1, 1]. Any count; the result does not depend on how it is divided
+  /// into calls.
   void render(float* out, std::size_t count);
 
-  /// Next report, oldest first; false when there is none.
+  /// The next report, oldest first; returns false if there is none.
   bool nextEvent(EngineEvent& event);
 
   const EngineCounts& counts() const { return counts_; }
@@ -130,7 +130,7 @@ class HapticEngine {
   double speed_mm_per_s() const { return tracker_.speed_mm_per_s(); }
   /// Largest |sample| since the last call.
   float takePeak();
-  /// The limiter is turning the sound down.
+  /// Returns true while the limiter lowers the output.
   bool limiting() const { return !limiter_.idle(); }
   /// Returns true if nothing sounds and nothing is waiting.
   bool idle() const;
@@ -177,12 +177,12 @@ class HapticEngine {
   SpeedTracker tracker_;
   bool hasLastInput_ = false;
   bool heldByDisplacement_ = false;  ///< the last reading was a displacement
-  double held_mm_ = 0;               ///< of it
+  double held_mm_ = 0;               ///< position of that reading
   double lastInput_frames_ = 0;
   std::int64_t lastScheduled_ = 0;
   std::int64_t nextBurstFrame_ = 0;
-  std::int64_t jumpEnds_ = 0;               ///< frame at which the last jump planned will have ended
-  double lastGrain_frames_ = never_frames;  ///< when the finger met the last one
+  std::int64_t jumpEnds_ = 0;               ///< frame at which the last planned jump will have ended
+  double lastGrain_frames_ = never_frames;  ///< time of the last grain
 
   std::array<EngineInput, inputCapacity> inputs_;
   std::size_t inputHead_ = 0, inputCount_ = 0;
@@ -193,11 +193,11 @@ class HapticEngine {
 
   SoundChain& chain() { return chains_[current_]; }
 
-  std::array<SoundChain, chainCount> chains_;  // the current program's, and those that still end
+  std::array<SoundChain, chainCount> chains_;  // the current program's, and those that are still ending
   std::size_t current_ = 0;
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
-  std::int64_t scanFrame_ = never;  // time of the next report to the limiter
+  std::int64_t scanFrame_ = never;  // frame of the next report to the limiter
   std::array<SoundChain, chainCount> ahead_;
   float peak_ = 0;
   EngineCounts counts_;

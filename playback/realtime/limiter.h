@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The last stage: whatever the voices, the equalizer and the gain did, the output never exceeds full scale.
+// The last stage: it keeps the output within full scale, whatever voices, equalizer and gain do.
 
 #include <cstddef>
 
 namespace detent::playback {
 
-/// Limiter without latency. A peak that `expect` announces is turned down before it comes, linearly, so that
-/// an attack keeps its form; any other peak at once. The gain recovers linearly and is exactly 1 again after
-/// `release`. Below the ceiling the signal passes bit for bit. Samples that are not finite become silence.
+/// Limiter without latency. For a peak that `expect` announces, the gain falls linearly before it, so that an
+/// attack keeps its form; for any other peak it falls at once. The gain recovers linearly and is exactly 1
+/// again after `release`. Below the ceiling the signal passes unchanged. Samples that are not finite become
+/// silence.
 class Limiter {
  public:
   /// ceiling in (0, 1]; release in samples, >= 1.
@@ -24,7 +25,8 @@ class Limiter {
   double gain() const { return gain_; }
   double ceiling() const { return ceiling_; }
 
-  /// Samples to come need a gain of at most `highest` (0..1], reached `within` samples from now.
+  /// Announces that coming samples need a gain of at most `highest` (0..1], reached `within` samples from
+  /// now.
   void expect(double highest, std::size_t within) {
     highest_ = highest;
     fall_ = gain_ > highest ? (gain_ - highest) / static_cast<double>(within + 1) : 0;

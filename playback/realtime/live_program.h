@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Programs under a finger: a button's program, and for a button that depends on speed a program for each of a
-// row of speeds. Built by playback/prepare/prepare_speeds.h, followed by speed_tracker.h.
+// Programs under a finger: a button's program and, for a button that depends on speed, a program for each of
+// a series of speeds. Built by playback/prepare/prepare_speeds.h, selected by speed_tracker.h.
 
 #include <cmath>
 #include <utility>
@@ -11,7 +11,7 @@
 
 namespace detent::playback {
 
-/// The button as it is at one speed.
+/// The button at one speed.
 struct SpeedProgram {
   double speed_mm_per_s = 0;
   HapticProgram program;

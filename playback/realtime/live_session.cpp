@@ -16,16 +16,16 @@ namespace {
 constexpr std::size_t commandCapacity = 4096;
 constexpr std::size_t reportCapacity = 8192;
 constexpr double statusInterval_s = 0.02;
-// A reading that waited this long for a callback gives the position of the finger, not its last movement.
+// A reading that waited this long for a callback is used as a new position without sound.
 constexpr double stale_s = 0.2;
 
-/// A message that says where the finger is.
+/// Returns true for a message that contains a position of the finger.
 bool carriesPosition(CommandKind kind) {
   return kind == CommandKind::force || kind == CommandKind::displacement || kind == CommandKind::resync ||
          kind == CommandKind::resyncDisplacement;
 }
 
-/// The same place, taken without any sound.
+/// The message that sets the same position without any sound.
 CommandKind placing(CommandKind kind) {
   return kind == CommandKind::displacement || kind == CommandKind::resyncDisplacement
              ? CommandKind::resyncDisplacement
@@ -46,7 +46,7 @@ InputKind inputKindOf(CommandKind kind) {
 }
 }  // namespace
 
-/// What the callback and the other threads share, and the callback's own book-keeping.
+/// Data shared by the callback and the other threads, and the callback's own state.
 struct LiveSession::State {
   explicit State(double wanted_Hz)
       : engine(wanted_Hz), sampleRate_Hz(engine.sampleRate_Hz()), clock(engine.sampleRate_Hz()) {
@@ -59,14 +59,14 @@ struct LiveSession::State {
   float takePeak = 0;  // largest sample while a take played, since the last status
   FeltMeter felt;
   PressSounder pressSound;
-  std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
+  std::atomic<double> sampleRate_Hz;  // the engine's rate, for other threads
   StreamClock clock;
   double lastInput_frames = 0;
   double entry_s = 0;  // of the running callback
   std::int64_t lastStatusFrame = 0;
-  bool placeUnknown = false;  // the device was away: the finger has moved unheard
+  bool placeUnknown = false;  // the device was absent, so the finger's movement is unknown
   SessionStatus status;
-  std::array<const HapticProgram*, 16> retired{};  // not reported yet
+  std::array<const HapticProgram*, 16> retired{};  // programs to be reported as retired
   std::size_t retiredCount = 0;
   std::array<moodycamel::ReaderWriterQueue<SessionCommand>, laneCount> lanes{
       moodycamel::ReaderWriterQueue<SessionCommand>(commandCapacity),
@@ -142,7 +142,7 @@ double LiveSession::frameOf(const SessionCommand& command) const {
     case TimeBase::now:
       return now;
     case TimeBase::clock: {
-      // Not later than this block: the reading was taken before the callback.
+      // At the latest now, because the reading was taken before the callback.
       const double frame = s.clock.frameAt(command.time);
       return frame < now ? frame : now;
     }
@@ -160,7 +160,7 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
     if (!carriesPosition(command.kind)) return;
     command.kind = placing(command.kind);
   }
-  // The first place after the device was away: what lies between was not felt.
+  // The first position after the device was absent: movements before it were not felt.
   if (s.placeUnknown && carriesPosition(command.kind)) {
     command.kind = placing(command.kind);
     s.placeUnknown = false;
@@ -239,12 +239,13 @@ void LiveSession::publishRetired() {
   report.kind = ReportKind::retired;
   while (s.retiredCount > 0) {
     report.retired = s.retired[s.retiredCount - 1];
-    if (!s.reports.try_enqueue(report)) return;  // a program must come home: try again next block
+    // every program must be reported, so this is tried again with the next block
+    if (!s.reports.try_enqueue(report)) return;
     --s.retiredCount;
   }
 }
 
-// A take must come home too; what does not fit now comes with a later block.
+// Every take must be reported; reports that do not fit now follow with a later block.
 void LiveSession::publishEndedTakes() {
   State& s = *state_;
   SessionReport report;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The only bridge between the audio callback and the rest: bounded queues of plain messages, one producer
-// each. The callback owns the engine; other threads own everything that has to be allocated or freed.
+// The only connection between the audio callback and other threads: bounded queues of plain messages, with
+// one producer each. The callback owns the engine; other threads own everything that must be allocated or
+// freed.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,12 +32,12 @@ enum class CommandKind : std::uint8_t {
   displacement,
   resync,              ///< value in N
   resyncDisplacement,  ///< value in mm
-  forget,              ///< readings that are not due yet never come: another trace takes their place
+  forget,              ///< drops readings that are not due yet, because another trace replaces them
   burst,
   grain,
   program,
   gain,
-  take  ///< samples of another program; none: what plays of them ends
+  take  ///< plays samples of another program; null: stops them
 };
 
 /// One message to the callback. Plain value.
@@ -46,9 +47,9 @@ struct SessionCommand {
   double time = 0;
   double value = 0;                        ///< N, mm, or gain
   Burst burst;                             ///< for burst
-  const HapticProgram* program = nullptr;  ///< for program; must live until it comes back as retired
-  const std::vector<SpeedProgram>* speeds = nullptr;  ///< of that program; must live as long
-  const SoundTake* take = nullptr;  ///< for take; must live until it comes back as takeEnded
+  const HapticProgram* program = nullptr;  ///< for program; must live until it is reported as retired
+  const std::vector<SpeedProgram>* speeds = nullptr;  ///< speeds of that program; must live as long
+  const SoundTake* take = nullptr;  ///< for take; must live until it is reported as takeEnded
 };
 
 /// Status of the stream; sent about 50 times a second.
@@ -65,7 +66,7 @@ struct SessionStatus {
   std::uint64_t callbacks = 0;
   std::uint64_t droppedReports = 0;
   std::uint64_t limitedBlocks = 0;  ///< blocks in which the limiter turned the sound down
-  std::uint64_t staleCommands = 0;  ///< waited too long for a callback: not played, at most a new position
+  std::uint64_t staleCommands = 0;  ///< waited too long for a callback; used at most as a new position
   EngineCounts counts;
 };
 
@@ -77,7 +78,7 @@ struct SessionReport {
   EngineEvent event;
   SessionStatus status;
   const HapticProgram* retired = nullptr;  ///< no longer read by the callback; may be freed
-  const SoundTake* endedTake = nullptr;    ///< likewise
+  const SoundTake* endedTake = nullptr;    ///< no longer read by the callback; may be freed
 };
 
 /// One stream's engine and its queues. Construct and destroy outside the callback.
@@ -91,31 +92,33 @@ class LiveSession {
   /// Any thread.
   double sampleRate_Hz() const;
 
-  /// These two belong to whoever opens and closes the stream, while no callback runs. The next stream runs at
-  /// this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
+  /// Both functions are for the owner of the stream, while no callback runs. This one sets the rate of the
+  /// next stream: program, position, gain and counts are kept; a trace or take that was playing is dropped.
   void setSampleRate(double sampleRate_Hz);
-  /// Takes the programs and gains that were sent while no stream ran and drops all other commands, so that
+  /// Takes over programs and gains that were sent while no stream ran and drops all other commands, so that
   /// the queue does not fill up.
   void takeWhileAway();
   /// Sets the sound that plays with each press, on a channel beside the vibration.
   void setPressSound(PressSound sound);
 
-  /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
+  /// Called on the lane's producer thread. Returns false if the queue is full and the message was not taken
+  /// (never allocates, never blocks).
   bool send(Lane lane, const SessionCommand& command);
 
-  /// Takes the next report, on the one consumer thread. False: none.
+  /// Takes the next report, on the single consumer thread. Returns false if there is none.
   bool receive(SessionReport& report);
 
-  /// Callback thread: handles what arrived, renders `count` samples. `entry_s`: the callback's entry on the
-  /// clock that time-stamped messages use.
+  /// Callback thread: handles the messages, renders `count` samples. `entry_s`: time of the callback's entry
+  /// on the clock of time-stamped messages.
   void process(float* out, std::size_t count, double entry_s);
 
-  /// Callback thread, after process: adds what is heard of presses, if anything is, to `count` samples;
-  /// `felt`: what process gave.
+  /// Callback thread, after process: adds the sound of presses, if there is any, to `count` samples; `felt`:
+  /// the samples that process wrote.
   bool pressSounds() const;
   void addPressSound(float* ears, const float* felt, std::size_t count);
 
-  /// Callback thread, after process: what the block cost, and whether the device reported an xrun.
+  /// Callback thread, after process: records the time the block took, and whether the device reported an
+  /// xrun.
   void account(double spent_s, std::size_t count, bool xrun);
 
  private:

@@ -7,8 +7,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double upShare = 0.1;        // of the travel: a finger that rests on the button is up
-constexpr double throughShare = 0.95;  // of the travel of a button without a bottom-out
+constexpr double upShare = 0.1;        // of the travel: a finger that only rests on the button counts as up
+constexpr double throughShare = 0.95;  // of the travel, for a button without a bottom-out
 constexpr double leastTravel_mm = 1e-3;
 
 struct Travelled {
@@ -16,7 +16,7 @@ struct Travelled {
   bool up = false, through = false;
 };
 
-/// Position within the stroke; a button that does not move is pressed by its force.
+/// Progress within the stroke; for a button without travel, of its force.
 Travelled travelled(const StateProgram& state, const StrokePosition& position) {
   const double end_mm = state.hasBottomOut ? state.bottomOut_mm
                                            : state.start_mm + throughShare * (state.end_mm - state.start_mm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Counts complete presses: to the end of the travel and back. A study counts these as felt.
+// Counts complete presses: to the end of the travel and back. A study counts a button with such a press as
+// felt.
 
 #include <cstdint>
 
@@ -9,20 +10,20 @@
 
 namespace detent::playback {
 
-/// Presses of a finger over a stretch of time.
+/// Presses of a finger during a period of time.
 struct PressCount {
-  std::uint64_t begun = 0;  ///< left the top
+  std::uint64_t begun = 0;  ///< presses that left the top
   std::uint64_t whole =
-      0;              ///< of those, went to the bottom-out (without one: to 95 % of the travel) and came back
-  double peak_N = 0;  ///< strongest force while away from the top
-  double travel_mm = 0;  ///< deepest place, from where the press stroke begins
+      0;  ///< of these, presses that reached the bottom-out (without one: 95 % of the travel) and came back
+  double peak_N = 0;     ///< strongest force while away from the top
+  double travel_mm = 0;  ///< deepest position, measured from the start of the press stroke
 };
 
-/// Counts presses from the positions a tracker gives. A finger that is down when a program comes under it has
-/// to come up first: that press belongs to the program before. One thread; no allocation.
+/// Counts presses from the positions of a tracker. A finger that is down when a program is exchanged must
+/// come up first: that press belongs to the previous program. One thread; no allocation.
 class PressCounter {
  public:
-  /// `program` must outlive its use here; nullptr: nothing is counted.
+  /// `program` must outlive its use here; nullptr: counts nothing.
   void use(const HapticProgram* program);
   void take(const StrokePosition& position);
   /// Presses since the last call.

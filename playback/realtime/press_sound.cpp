@@ -8,7 +8,7 @@
 namespace detent::playback {
 
 namespace {
-constexpr double upShareOfTravel = 0.1;  // as PressCounter
+constexpr double upShareOfTravel = 0.1;  // the same as in PressCounter
 }  // namespace
 
 void PressSounder::use(PressSound sound) {
@@ -50,7 +50,8 @@ void PressSounder::addTo(float* out, const float* felt, std::size_t count, std::
         lateAt_ = (lateAt_ + 1) % late_.size();
       }
     } else if (from_ >= 0 && frame >= from_) {
-      // Between two samples where a device came back at another rate than the recording was brought to.
+      // Interpolated between two samples if the device came back at another rate than that to which the
+      // recording was converted.
       const double at = static_cast<double>(frame - from_) * sound_.sampleRate_Hz / rate_Hz_;
       const auto first = static_cast<std::size_t>(at);
       const double share = at - static_cast<double>(first);

@@ -12,16 +12,16 @@ constexpr double fade_s = 1;
 constexpr double rumble_Hz = 60;
 constexpr double twoPi = 2 * std::numbers::pi;
 
-// Three low-passes of white noise and a little of it unfiltered fall by about 3 dB an octave from 60 Hz to 10
-// kHz.
+// Three low-pass filtered noises and a little unfiltered noise add up to a spectrum that falls by about 3 dB
+// per octave from 60 Hz to 10 kHz.
 constexpr std::array<double, 3> corners_Hz{16, 265, 3950};
 constexpr std::array<double, 3> shares{42, 8.0, 2.45};
 constexpr double unfiltered = 0.18;
 
-// Drops on leaves and stone, of one to four octaves above the rush's middle.
+// Drops on leaves and stone, one to four octaves above the middle of the noise.
 constexpr double drops_Hz = 150;
 constexpr double lowest_Hz = 500, octaves = 3, shortest_s = 0.003, longest_s = 0.012;
-constexpr double loudestDrop = 9;  // beside a rush of about 4
+constexpr double loudestDrop = 9;  // compared with a noise of about 4
 
 }  // namespace
 
@@ -56,7 +56,7 @@ double RainNoise::rmsOf(double seconds) {
   return std::sqrt(squares / static_cast<double>(count));
 }
 
-/// Evenly within [0, 1): xorshift64*.
+/// Uniform within [0, 1): xorshift64*.
 double RainNoise::chance() {
   random_ ^= random_ >> 12;
   random_ ^= random_ << 25;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Rain for the ears, so that the vibration is felt and not heard (K&L, Experiment 1: the noisy group wore
-// headphones "playing an ambient raining sound").
+// Sound of rain for the ears, so that the vibration is felt and not heard (K&L, Experiment 1: the noisy group
+// wore headphones "playing an ambient raining sound").
 
 #include <array>
 #include <cstddef>
@@ -11,22 +11,22 @@
 
 namespace detent::playback {
 
-/// Falling rain: a pink rush with drops in it, no rumble below 60 Hz. The same for every run. Callback thread
-/// but for the constructor and `setSampleRate`; no allocation.
+/// Falling rain: pink noise with drops, without frequencies below 60 Hz. The same in every run. Callback
+/// thread, except for the constructor and `setSampleRate`; no allocation.
 class RainNoise {
  public:
-  /// `level`: rms, share of full scale, 0 (none) to 0.3, where single samples begin to be cut.
+  /// `level`: rms, share of full scale, 0 (none) to 0.3, where the first samples are clipped.
   explicit RainNoise(double level);
 
   /// While no callback runs.
   void setSampleRate(double sampleRate_Hz);
   bool audible() const { return level_ > 0; }
-  /// Writes `count` samples within [-1, 1]; comes up within a second.
+  /// Writes `count` samples within [-1, 1]; the level rises within a second.
   void render(float* out, std::size_t count);
 
  private:
   struct Drop {
-    double re = 0, im = 0;  // a damped rotation; its sine is heard
+    double re = 0, im = 0;  // a damped rotation; its sine component is the sound
     double turnRe = 0, turnIm = 0;
   };
   double chance();

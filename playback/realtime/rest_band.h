@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A hand's tremor and the hum of the mains are no movement: a force that swings to and fro, little and fast,
-// around one place rests. Follows force_steadier.h, which takes the sensor's own noise out.
+// Removes a hand's tremor and mains hum: a small and fast oscillation of the force around one value counts as
+// rest. Follows force_steadier.h, which removes the sensor's own noise.
 
 #include <array>
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace detent::playback {
 
-/// Readings within about a quarter of a second, in bins of 16 ms; the oldest bin goes as a new one begins.
-/// O(1), no allocation.
+/// Readings within about a quarter of a second, in bins of 16 ms; the oldest bin is dropped when a new one
+/// begins. O(1), no allocation.
 class SwingWindow {
  public:
   static constexpr std::size_t binCount = 16;
@@ -19,12 +19,13 @@ class SwingWindow {
   struct Swing {
     double lowest_N = 0, highest_N = 0;
     double way_N = 0;    ///< sum of all steps, up and down
-    double drift_N = 0;  ///< mean of the newer half less that of the older
+    double drift_N = 0;  ///< mean of the newer half minus that of the older one
     double range_N() const { return highest_N - lowest_N; }
-    double turns() const { return way_N / range_N(); }  ///< half swings; 1: one way only
+    /// number of half swings; 1: movement in one direction only
+    double turns() const { return way_N / range_N(); }
   };
 
-  /// Returns true if `time_s` begins a new bin and all before it are full: `swing` then describes those.
+  /// Returns true if `time_s` begins a new bin and all previous ones are full: `swing` then describes them.
   bool add(double time_s, double reading_N, Swing& swing);
   void startAnew() { filled_ = 0; }
 
@@ -42,12 +43,12 @@ class SwingWindow {
   double binEnds_s_ = 0, last_N_ = 0;
 };
 
-/// Holds the force while it only swings. What does not swing passes bit for bit: of a movement, however slow,
-/// nothing is held, since it does not come back within a quarter of a second. The numbers are claims of
+/// Holds the force while it only oscillates. Other readings pass unchanged: a movement, however slow, does
+/// not come back within a quarter of a second and is not held. The numbers are justified in
 /// docs/develop/decisions/0906. Any thread, one owner; no allocation.
 class RestBand {
  public:
-  /// `most_N`: a swing over more is movement; 0: everything passes.
+  /// `most_N`: a larger swing is movement; 0: everything passes.
   void configure(double most_N) { most_N_ = most_N; }
 
   /// The force for this reading. Readings must be finite, times increasing.
@@ -55,7 +56,7 @@ class RestBand {
   /// The next reading is a new start.
   void startAnew();
 
-  /// Range of the swing that counts now; 0: readings pass.
+  /// Range of the swing that is being held; 0: readings pass.
   double swing_N() const { return swing_N_; }
 
  private:
@@ -73,7 +74,7 @@ class RestBand {
   Motion motion_ = Motion::up;
   double force_N_ = 0;
   double swing_N_ = 0, swungAt_s_ = 0;
-  double lowest_N_ = 0, highest_N_ = 0;  // of the swing at which it came to rest
+  double lowest_N_ = 0, highest_N_ = 0;  // range of the swing when it came to rest
 };
 
 }  // namespace detent::playback

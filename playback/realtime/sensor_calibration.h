@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From what a force sensor sends to newtons. The numbers come from known weights (study/calibrate.h) and live
-// in the device profile; the reader thread applies them.
+// Conversion of a force sensor's readings to newtons. The coefficients come from known weights
+// (study/calibrate.h) and are stored in the device profile; the reader thread applies them.
 
 #include <array>
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace detent::playback {
 
 /// Conversion of the raw reading before the polynomial.
 enum class SensorCircuit {
-  newtons,  ///< the sensor already sends newtons; the coefficients correct it
+  newtons,  ///< the sensor sends newtons already; the coefficients correct them
   linear,   ///< counts proportional to force (load cell, FSR with current-to-voltage amplifier)
   divider   ///< FSR to the supply, fixed resistor to 0 V: conductance ~ counts / (fullScale - counts) ~
             ///< force (Interlink FSR integration guide: resistance ~ 1 / force)
@@ -27,14 +27,15 @@ struct SensorCalibration {
   std::array<double, maxCoefficients> coefficients{0, 1, 0, 0};
   std::array<double, maxCoefficients> standardErrors{};  ///< of the coefficients; 0 where unknown
   double noise_N = 0;                                    ///< SD of the readings at rest; 0: not measured
-  double residual_N = 0;                                 ///< SD of the weights about the curve
+  double residual_N = 0;                                 ///< SD of the weights around the curve
   double lowest_N = 0, highest_N = 12;                   ///< range covered by the weights
   std::size_t weights = 0;  ///< how many readings it came from; 0: never calibrated
 
-  /// SD of what it sends for a still finger: measured, or at worst what its weights scatter by; 0: unknown.
+  /// SD of the readings for a still finger: measured, or at worst the scatter of the weights; 0: unknown.
   double knownNoise_N() const { return noise_N > 0 ? noise_N : residual_N; }
 
-  /// The circuit's linear quantity. A saturated divider (at or above full scale) is not a number.
+  /// The quantity that is linear in force for the circuit. NaN for a saturated divider (at or above full
+  /// scale).
   double linearised(double raw) const {
     switch (circuit) {
       case SensorCircuit::newtons:

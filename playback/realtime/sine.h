@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Portable sine for the callback: the same bits on every machine (libm picks code by processor), no call, no
-// table.
+// A sine for the callback with the same bits on every machine (the mathematics library chooses code by
+// processor); no function call, no table.
 
 #include <cmath>
 
 namespace detent::playback {
 
-/// Cycles from one sample to the next: whole cycles between samples are equal to none; 0, silence, if not a
+/// Cycles from one sample to the next, without whole cycles, which make no difference; 0 (silence) if not a
 /// number.
 inline double cyclesPerSample(double frequency_Hz, double sampleRate_Hz) {
   return std::isfinite(frequency_Hz) ? std::fmod(frequency_Hz, sampleRate_Hz) / sampleRate_Hz : 0;
 }
 
-/// Length of a burst, at most as many samples as are counted one by one.
+/// Length of a burst in samples, limited to what can be counted exactly.
 inline double samplesIn(double duration_s, double sampleRate_Hz) {
   return std::fmin(duration_s * sampleRate_Hz, 0x1p53);
 }

@@ -7,7 +7,7 @@ namespace detent::playback {
 
 namespace {
 constexpr double grainBehindLowPass =
-    0.8;  // 0.71 at the cutoff, where its carrier stands, and what restarts add
+    0.8;  // the factor 0.71 at the cutoff, where its carrier is, and the effect of restarts
 }  // namespace
 
 void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
@@ -62,8 +62,8 @@ bool SoundChain::startBurst(const Burst& burst) {
   }
   const bool steals = playing >= playingVoices;
   if (steals) oldest->fadeOut(stealFade_frames_);
-  // No voice is free if more voices were stolen within one fade than there are spare ones. Then the voice
-  // that is nearest to silence is replaced.
+  // If more voices were stolen within one fade than there are spare ones, no voice is free. The voice closest
+  // to silence is then replaced.
   if (free == nullptr) free = mostFaded != nullptr ? mostFaded : oldest;
   free->start(burst, sampleRate_Hz_);
   return steals;
@@ -91,7 +91,7 @@ double SoundChain::loudestWithin(double samples) const {
 }
 
 void SoundChain::quietenSlope(double* bus, std::size_t count) {
-  std::int64_t jumps = 0;  // samples until the last of them has ended
+  std::int64_t jumps = 0;  // samples until the last jump has ended
   for (const Voice& v : voices_) {
     if (v.active() && v.quietensSlope() && v.left() > jumps) jumps = v.left();
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Everything of one program that sounds: its voices and the filters they go through. The engine holds a few,
-// so that what a program began ends as that program meant it after another one took over: no filter or gain
-// changes under a sounding voice.
+// Everything of one program that sounds: its voices and their filters. The engine has a few chains, so that
+// sounds of a program end as intended after another program took over: no filter or gain changes under a
+// sounding voice.
 
 #include <array>
 #include <cstddef>
@@ -15,29 +15,29 @@
 
 namespace detent::playback {
 
-/// Time to lower the slope to nothing under a jump, and back, without a click.
+/// Time for lowering the slope to nothing under a jump, and for raising it again, without a click.
 inline constexpr double slopeTurn_s = 0.004;
 
 /// Callback thread; no allocation. A large fixed-size object.
 class SoundChain {
  public:
   static constexpr std::size_t playingVoices = 12;
-  static constexpr std::size_t voiceCount = 24;  // the rest fade out
+  static constexpr std::size_t voiceCount = 24;  // voices that may play; the rest fade out
 
-  /// Silent, and set up for a program.
+  /// Silences the chain and sets it up for a program.
   void use(const HapticProgram& program, double sampleRate_Hz);
   /// Silent at once.
   void stop();
 
   void startGrain(const Burst& burst);
-  /// Plays a burst beside the others. True if the oldest one had to give way.
+  /// Plays a burst in addition to the others. Returns true if the oldest one had to be stopped.
   bool startBurst(const Burst& burst);
 
-  /// Returns true if nothing sounds and no filter rings.
+  /// Returns true if nothing sounds and no filter is ringing.
   bool silent() const;
   bool grainSounds() const { return grain_.active(); }
   double grainLoudness() const { return grain_.active() ? grain_.loudest() : 0; }
-  /// Approximate bound of the sum of its voices in the next `samples`: their envelopes, raised by gain and
+  /// Approximate upper bound of the sum of its voices in the next `samples`: their envelopes, with gain and
   /// equalizer.
   double loudestWithin(double samples) const;
 
@@ -57,10 +57,10 @@ class SoundChain {
   std::size_t equalizerCount_ = 0;
   std::int64_t stealFade_frames_ = 1;
   double underJump_ = 1, slopeLevel_ = 1,
-         slopeStep_ = 1;  // of the grains while a jump sounds, now, per sample
+         slopeStep_ = 1;  // level of the grains while a jump sounds: now, and change per sample
   double gain_ = 1;
   double raise_ = 1;       // by gain and equalizer
-  double grainShare_ = 1;  // of a grain's amplitude that is left behind the low-pass
+  double grainShare_ = 1;  // share of a grain's amplitude after the low-pass
 };
 
 }  // namespace detent::playback

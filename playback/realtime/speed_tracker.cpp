@@ -7,12 +7,12 @@ namespace detent::playback {
 
 namespace {
 
-// Of the travel. From the first to the second mark a press is timed by its first touch, later as `render`
-// does: it begins slowly.
+// Marks as shares of the travel. From the first to the second mark a press is timed from its first touch;
+// after that from the second mark, as in rendering, because a press begins slowly.
 constexpr double touchShare = 0.02, fromShare = 0.1, toShare = 0.9;
-constexpr double timedFrom = 0.03;        // of the way from 10 to 90 %: so much shows a speed
-constexpr double settledAt = 0.5;         // of the travel, where there is no jump before
-constexpr double fastest_mm_per_s = 1e6;  // all the way within one reading
+constexpr double timedFrom = 0.03;        // of the distance from 10 to 90 %: enough to show a speed
+constexpr double settledAt = 0.5;         // of the travel, if there is no jump before
+constexpr double fastest_mm_per_s = 1e6;  // for a reading that covers the whole distance
 
 double strongestUpTo(const StrokeTable& press, double at_mm) {
   double strongest = press.pointCount > 0 ? press.points[0].force_N : 0;
@@ -42,13 +42,13 @@ PressMarks placeMarks(const StateProgram& state) {
 
 PressMarks forceMarks(const StateProgram& state) {
   const double travel_mm = state.end_mm - state.start_mm;
-  double strongest_N = 0;  // the top of a vertical bottom-out included
+  double strongest_N = 0;  // includes the top of a vertical bottom-out
   for (std::size_t i = 0; i < state.press.pointCount; ++i)
     strongest_N = std::fmax(strongest_N, state.press.points[i].force_N);
   PressMarks marks{touchShare * strongest_N, fromShare * strongest_N,
                    strongestUpTo(state.press, state.start_mm + settledAt * travel_mm)};
-  if (marks.to <= 0) marks.to = toShare * strongest_N;  // no force on the first half
-  marks.from = std::fmin(marks.from, marks.to / 2);     // a bottom-out makes all else small
+  if (marks.to <= 0) marks.to = toShare * strongest_N;  // there is no force in the first half
+  marks.from = std::fmin(marks.from, marks.to / 2);     // for a bottom-out that dwarfs all other forces
   marks.touch = std::fmin(marks.touch, marks.from / 2);
   marks.way_mm = strongest_N > 0 ? travel_mm * (marks.to - marks.from) / strongest_N : 0;
   return marks;
@@ -127,7 +127,7 @@ void SpeedTracker::addCrossings(const Crossings& crossings, double value, bool i
   if (known && !settled_) wanted_ = &nearest(*speeds_, pace_.speed_mm_per_s()).program;
 }
 
-// The speed of this change is unknown: the previous one is kept.
+// The speed of this change is unknown, so the previous one is kept.
 void SpeedTracker::placeAtForce(double force_N) {
   tracker_.placeAtForce(force_N);
   pace_.interrupt();

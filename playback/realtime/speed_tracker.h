@@ -12,7 +12,7 @@
 
 namespace detent::playback {
 
-/// Readings by which a press is timed, and the finger's way from `from` to `to`.
+/// Marks on the readings by which a press is timed, and the finger's distance between `from` and `to`.
 struct PressMarks {
   double touch = 0, from = 0, to = 0;  ///< N or mm, rising
   double way_mm = 0;
@@ -20,21 +20,21 @@ struct PressMarks {
 /// Marks by displacement: from 10 to 90 % of the travel.
 PressMarks placeMarks(const StateProgram& state);
 /// Marks by force: from 10 % of the strongest force of the press to the strongest of its first half, where
-/// the speed is known at the latest. A finger moves as far as its force rises: the whole travel for the
-/// strongest force. At a jump of the button, the finger does not jump.
+/// the speed is known at the latest. The finger's movement is taken as proportional to its force, with the
+/// whole travel at the strongest force. At a jump of the button, the finger does not jump.
 PressMarks forceMarks(const StateProgram& state);
 
-/// Speed of a press, predicted from the way so far, by the marks of the graph in front. Callback thread; no
-/// allocation.
+/// Predicts the speed of a press from the distance so far, by the marks of the graph in front. Callback
+/// thread; no allocation.
 class PressPace {
  public:
   void use(const HapticProgram& front);
-  /// After a reading was followed, in N or mm. False: nothing new is known.
+  /// Called after each reading, in N or mm. Returns false if it gives no new information.
   bool take(double value, bool isForce, std::uint8_t state, double time_s);
   double speed_mm_per_s() const { return speed_; }
-  /// A press is under way whose beginning was seen.
+  /// Returns true while a press is under way whose beginning was seen.
   bool begun() const { return begun_; }
-  /// The next reading does not follow from the one before.
+  /// The next reading does not continue the previous one.
   void interrupt() { heard_ = begun_ = timed_ = false; }
 
  private:
@@ -44,17 +44,17 @@ class PressPace {
 
   std::array<StateMarks, maxStates> marks_{};
   double speed_ = 0;
-  double before_ = 0, before_s_ = 0;     // the reading before
-  double touched_s_ = 0, passed_s_ = 0;  // when the press passed the marks `touch` and `from`
+  double before_ = 0, before_s_ = 0;     // the previous reading
+  double touched_s_ = 0, passed_s_ = 0;  // times at which the press passed the marks `touch` and `from`
   bool heard_ = false, begun_ = false, timed_ = false;
 };
 
-/// A StrokeTracker for a button with or without graphs at several speeds. One speed belongs to one press:
-/// until its first jump, at most until half the travel, the press changes to the program of its measured
-/// speed; from then on, and on its way back, it keeps that program. A press begins on the program of the
-/// lowest speed. It changes only with a reading that presses on, so nothing moves under a resting finger.
-/// Events behind the finger are not met again, and no jump is lost. Without speeds it is the StrokeTracker.
-/// Callback thread; no allocation.
+/// A StrokeTracker for a button with or without graphs at several speeds. Each press has one speed: until its
+/// first jump, at most until half the travel, it changes to the program of its measured speed; from then on,
+/// and on its release, it keeps that program. A press begins with the program of the lowest speed. It changes
+/// only with a reading of increasing force or displacement, so nothing moves under a resting finger. Events
+/// behind the finger are not repeated, and no jump is lost. Without speeds it is the StrokeTracker. Callback
+/// thread; no allocation.
 class SpeedTracker {
  public:
   /// Sets the programs; both must outlive their use here. `speeds` as in LiveProgram, nullptr: none. A
@@ -82,8 +82,8 @@ class SpeedTracker {
   StrokeTracker tracker_;
   PressPace pace_;
   const std::vector<SpeedProgram>* speeds_ = nullptr;
-  const HapticProgram* playing_ = nullptr;  // the tracker's
-  const HapticProgram* wanted_ = nullptr;   // from the next reading on
+  const HapticProgram* playing_ = nullptr;  // the tracker's program
+  const HapticProgram* wanted_ = nullptr;   // program to use from the next reading on
   double last_ = 0;                         // reading, N or mm
   bool settled_ = false;
 };

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Maps times of a steady clock to samples of the audio stream, so that an event can be placed where it
-// happened. Pure: the caller reads the clock.
+// Converts times of a steady clock to samples of the audio stream, so that an event can be placed at its
+// time. Pure: the caller reads the clock.
 
 #include <cstdint>
 
 namespace detent::playback {
 
-/// Follows callback entries. A callback is never early, only late, so the line through the earliest entries
-/// is the stream's true start times; a step of more than a block (xrun, device restart) starts a new line.
+/// Follows the entries of callbacks. A callback is never early, only late, so the line through the earliest
+/// entries gives the stream's true start times. A step of more than a block (xrun, device restart) starts a
+/// new line.
 class StreamClock {
  public:
   explicit StreamClock(double sampleRate_Hz) : sampleRate_Hz_(sampleRate_Hz) {}
@@ -24,14 +25,14 @@ class StreamClock {
     running_ = true;
   }
 
-  /// The sample that was requested at `time_s`; before the first callback 0.
+  /// The sample that corresponds to `time_s`; 0 before the first callback.
   double frameAt(double time_s) const {
     return running_ ? static_cast<double>(baseFrame_) + (time_s - base_s_) * sampleRate_Hz_ : 0;
   }
 
  private:
   static constexpr double follow =
-      0.02;  // of the lateness per callback: follows clock drift, ignores single wake-ups
+      0.02;  // weight of a callback's lateness: follows clock drift, ignores single late wake-ups
   double sampleRate_Hz_;
   double base_s_ = 0;
   std::int64_t baseFrame_ = 0;

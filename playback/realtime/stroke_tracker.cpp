@@ -9,12 +9,11 @@ namespace detent::playback {
 
 namespace {
 
-// At most this many grains of one reading are kept apart; beyond it neighbours are merged and their number is
-// kept. 900 grains between two readings of 425 Hz are 382,500 per second: two per sample at 192 kHz.
+// Largest number of grains of one reading that are kept separately; beyond it neighbours are merged, with
+// their number. 900 grains between two readings of 425 Hz are 382,500 per second: two per sample at 192 kHz.
 constexpr std::int64_t maxGrainsPerReading = 900;
 
-// Below this a number of grid cells is the rounding of a decimal fraction (0.3 mm * 20 per mm), not a
-// distance.
+// A smaller number of grid cells is the rounding of a decimal fraction (0.3 mm * 20 per mm), not a distance.
 constexpr double cellRounding = 1e-9;
 
 double lerp(double a, double b, double t) { return a + (b - a) * t; }
@@ -22,7 +21,7 @@ double clamped(double v, double low, double high) { return v < low ? low : (v > 
 
 }  // namespace
 
-/// A stretch of the way in which time runs linearly with displacement.
+/// A part of the movement in which time is linear in displacement.
 struct StrokeTracker::Piece {
   double from_mm, to_mm;
   double fromFraction, toFraction;
@@ -51,7 +50,7 @@ void StrokeTracker::exchange(const HapticProgram* program) {
   program_ = program;
   const StateProgram& now = state();
   double x = atTop ? restingPlace_mm() : clamped(position_.displacement_mm, now.low_mm, now.end_mm);
-  // No finger stands within a jump: it is about to be met.
+  // No finger can stay within a jump, so the jump is still to be met.
   for (std::size_t i = 0; i < now.press.jumpCount; ++i) {
     const JumpEntry& jump = now.press.jumps[i];
     if (jump.from_mm < x && x < jump.to_mm) x = jump.from_mm;
@@ -69,11 +68,11 @@ std::int64_t StrokeTracker::grainCell(double displacement_mm) const {
       std::floor((displacement_mm - program_->gridOrigin_mm) * program_->grainsPerMm + cellRounding));
 }
 
-// A self-locking button stays down after an actuation; whatever was pressed less far comes back up.
+// A self-locking button stays down after an actuation; a press without actuation comes back up.
 double StrokeTracker::releaseEnd_mm() const { return actuated_ ? state().rest_mm : state().start_mm; }
 
-// A self-locking button is where the press on its present state starts, a momentary one at the higher end of
-// both strokes.
+// A self-locking button rests where the press of its present state starts, a momentary one at the higher end
+// of both strokes.
 double StrokeTracker::restingPlace_mm() const {
   return program_->stateCount > 1 ? state().start_mm : state().low_mm;
 }
@@ -107,10 +106,11 @@ const Crossings& StrokeTracker::updateForce(double force_N) {
     if (force_N > extreme_N_) extreme_N_ = force_N;
     const bool turned = force_N < extreme_N_ - program_->hysteresis_N;
     const bool down = position_.displacement_mm > releaseEnd_mm();
-    if (atRest && !down) return crossings_;  // nobody presses, whatever a curve without force would say
+    // without force nobody presses, even if the curve has no force there
+    if (atRest && !down) return crossings_;
     if (turned || atRest) turn(true, force_N);
   } else {
-    // Not below 0: an offset of the sensor must not use up the hysteresis of the next press.
+    // Not below 0, because an offset of the sensor must not use up the hysteresis of the next press.
     if (force_N < extreme_N_) extreme_N_ = force_N > 0 ? force_N : 0;
     if (!atRest && force_N > extreme_N_ + program_->hysteresis_N) turn(false, force_N);
   }
@@ -147,9 +147,9 @@ void StrokeTracker::turn(bool releasing, double extreme_N) {
   extreme_N_ = extreme_N;
 }
 
-// Both strokes follow one rule in the direction of travel: with s = +1 (press) or -1 (release), s*x grows and
-// the traversal goes on while s*curve <= s*force. The time of a crossing is when the force reached the
-// highest s*curve so far.
+// Both strokes follow one rule in the direction of travel: with s = +1 (press) or -1 (release), s*x
+// increases, and the movement continues while s*curve <= s*force. The time of a crossing is when the force
+// reached the highest s*curve so far.
 void StrokeTracker::advanceByForce(double from_N, double to_N) {
   const StrokeTable& t = table();
   const auto count = static_cast<std::ptrdiff_t>(t.pointCount);
@@ -163,7 +163,7 @@ void StrokeTracker::advanceByForce(double from_N, double to_N) {
     return target > origin ? clamped((level - origin) / (target - origin), 0, 1) : 1.0;
   };
 
-  // First vertex at or beyond the position, then the curve at the position itself.
+  // Starts at the first vertex at or beyond the position, with the curve's force at the position itself.
   double x = position_.displacement_mm;
   std::ptrdiff_t low = 0, high = count - 1;
   while (low < high) {
@@ -195,7 +195,7 @@ void StrokeTracker::advanceByForce(double from_N, double to_N) {
       levelB = lerp(level, levelB, (limit_mm - x) / (xB - x));
       xB = limit_mm;
     }
-    // Where the level passes the highest so far, time starts to run again: split there.
+    // Where the level exceeds the highest so far, time continues, so the piece is divided there.
     if (levelB > highest && level < highest && xB != x) {
       const double xSplit = lerp(x, xB, (highest - level) / (levelB - level));
       cross({x, xSplit, fractionOf(highest), fractionOf(highest)});
@@ -223,14 +223,13 @@ void StrokeTracker::advanceByDisplacement(double to_mm) {
   const double s = position_.releasing ? -1 : 1;
   if (s * to_mm <= s * position_.displacement_mm) return;
   boundGrainsUpTo(to_mm);
-  // The first reading of a stroke may already have passed several jumps; the time runs linearly with
-  // displacement.
+  // The first reading of a stroke may already have passed several jumps; time is then linear in displacement.
   cross({position_.displacement_mm, to_mm, 0, 1});
   position_.displacement_mm = to_mm;
 }
 
-// Adds everything met on a piece, in the order travelled. Jumps are met on leaving their start, the rest on
-// arriving.
+// Adds everything that is met on a piece, in the order travelled. Jumps are met on leaving their start, other
+// events on arriving.
 void StrokeTracker::cross(const Piece& piece) {
   if (piece.from_mm == piece.to_mm) return;
   const double s = position_.releasing ? -1 : 1;
@@ -307,7 +306,7 @@ void StrokeTracker::boundGrainsUpTo(double farthest_mm) {
 void StrokeTracker::addGrain(std::int64_t index, std::int64_t merged, double level, const Piece& piece) {
   const double x = program_->gridOrigin_mm + static_cast<double>(index) / program_->grainsPerMm;
   if (crossings_.count >= Crossings::capacity - maxJumps - 4) {
-    // Keep room for jumps; the last grain found takes the number over.
+    // Keeps room for jumps: the last grain found takes over the number of those dropped.
     for (std::size_t i = crossings_.count; i-- > 0;) {
       if (crossings_.items[i].kind != CrossingKind::grain) continue;
       crossings_.items[i].count += static_cast<std::uint32_t>(merged);
@@ -364,7 +363,7 @@ void StrokeTracker::add(CrossingKind kind, std::size_t jump, double at_mm, const
 void StrokeTracker::finish() {
   rearm();
   spreadTies();
-  // Without an operating point, a press that has left its start has actuated.
+  // Without an operating point, a press that has left its start counts as actuated.
   if (!position_.releasing && !state().hasOperatingPoint && position_.displacement_mm > state().start_mm)
     actuated_ = true;
   if (!position_.releasing || position_.displacement_mm > releaseEnd_mm()) return;
@@ -372,7 +371,7 @@ void StrokeTracker::finish() {
   if (!actuated_) return;
   actuated_ = false;
   if (program_->stateCount < 2) return;
-  // Self-locking: the next press is felt on the other state's graph (Kim & Lee: "alternating ... at each
+  // Self-locking: the next press uses the other state's graph (Kim & Lee: "alternating ... at each
   // actuation").
   position_.state = static_cast<std::uint8_t>((position_.state + 1U) % program_->stateCount);
   position_.displacement_mm = extreme_mm_ = state().start_mm;
@@ -397,8 +396,8 @@ void StrokeTracker::rearm() {
   if (!bottomOutArmed_ && x <= now.bottomOutRearm_mm) bottomOutArmed_ = true;
 }
 
-// Grains on a flat stretch are all met at one force, hence at one instant; they share the time up to the next
-// event.
+// Grains on a flat part are all met at one force, hence at one instant; they are spread over the time up to
+// the next event.
 void StrokeTracker::spreadTies() {
   for (std::size_t i = 0; i < crossings_.count;) {
     std::size_t end = i + 1;
@@ -413,7 +412,7 @@ void StrokeTracker::spreadTies() {
     }
     i = end;
   }
-  // Rounding may have put a crossing an ulp before the one it follows.
+  // Rounding may have put a crossing a last bit before its predecessor.
   for (std::size_t i = 1; i < crossings_.count; ++i)
     crossings_.items[i].fraction = std::max(crossings_.items[i].fraction, crossings_.items[i - 1].fraction);
 }

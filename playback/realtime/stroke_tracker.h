@@ -22,15 +22,17 @@ enum class CrossingKind : std::uint8_t {
   contactOpened
 };
 
-/// One thing met on the way between two readings.
+/// One event between two readings.
 struct Crossing {
   CrossingKind kind = CrossingKind::grain;
-  std::uint16_t jump = 0;   ///< index into the stroke's jumps
-  std::uint8_t state = 0;   ///< state of the button it belongs to
-  std::uint32_t count = 1;  ///< grains merged into this one (only if more were crossed than are kept apart)
-  double fraction = 1;      ///< when, as a share of the time between the two readings, 0..1, never decreasing
+  std::uint16_t jump = 0;  ///< index into the stroke's jumps
+  std::uint8_t state = 0;  ///< state of the button it belongs to
+  /// number of grains merged into this one (only if more were crossed than are kept separately)
+  std::uint32_t count = 1;
+  /// its time as a share of the interval between the two readings, 0..1, never decreasing
+  double fraction = 1;
   double displacement_mm = 0;
-  double level = 1;  ///< of a grain: its slope's
+  double level = 1;  ///< level of a grain: that of its slope
 };
 
 /// All crossings of one reading. Fixed size; owned by the tracker.
@@ -43,44 +45,44 @@ struct Crossings {
 /// Position of the finger.
 struct StrokePosition {
   double displacement_mm = 0;
-  double force_N = 0;  ///< last reading; of displacement inputs the table's force
+  double force_N = 0;  ///< last reading; for displacement inputs the table's force
   bool releasing = false;
-  bool contact = false;  ///< between operating point and reset point
+  bool contact = false;  ///< true from the operating point to the reset point
   std::uint8_t state = 0;
 };
 
 /// Follows readings along the program's tables:
-///  - rising force moves along the press stroke to where the curve stays above it; falling force, once it has
-///    turned back by the hysteresis, along the release stroke; never backwards within one stroke;
-///  - a jump fires once and again only after its re-arm position (chatter is counted, not played);
-///  - a grain on the grid g is crossed upwards by x0 < g <= x1, downwards by x1 < g <= x0: none lost, none
-///    doubled;
-///  - where a state's release does not end at the start of its press, a press that has not actuated returns to
-///    that start, and the way between both ends is silent;
-///  - a self-locking button changes its state when it is released after an actuation.
-/// Readings must be finite (force_conditioner.h sees to it). Callback thread; no allocation.
+/// - increasing force moves along the press stroke to where the curve stays above it; decreasing force, once
+///   it has turned back by the hysteresis, moves along the release stroke; never backwards within one stroke;
+/// - a jump fires once, and again only after its re-arm position (chatter is counted, not played);
+/// - a grain at g is crossed in pressing if x0 < g <= x1, in releasing if x1 < g <= x0, so that none is lost
+///   or doubled;
+/// - if a state's release does not end at the start of its press, a press without actuation returns to that
+///   start, and the distance between both is silent;
+/// - a self-locking button changes its state when it is released after an actuation.
+/// Readings must be finite (force_conditioner.h ensures it). Callback thread; no allocation.
 class StrokeTracker {
  public:
   /// Keeps a reference; `program` must outlive its use here. Silent: starts at rest, all armed.
   void use(const HapticProgram* program);
 
-  /// The same button at another speed, under a finger that presses: what lies behind it has been met, and
-  /// where it stands within a jump it stands before it. Silent by itself; the next reading leads on from
-  /// here.
+  /// Exchanges the program for the same button at another speed, under a pressing finger: events behind the
+  /// finger count as passed, and within a jump the finger is placed before it. No crossings result; the next
+  /// reading continues from here.
   void exchange(const HapticProgram* program);
 
-  /// Follows one force reading; the answer is valid until the next call.
+  /// Follows one force reading; the result is valid until the next call.
   const Crossings& updateForce(double force_N);
   const Crossings& updateDisplacement(double displacement_mm);
 
-  /// Goes to where this force would have led from rest, without any crossing: after a sensor came back, or a
+  /// Moves to where this force would have led from rest, without any crossing: after a sensor came back, or a
   /// program was exchanged under a resting finger.
   void placeAtForce(double force_N);
-  /// Likewise, to where a press from rest to this displacement would have led.
+  /// Moves to where a press from rest to this displacement would have led, without any crossing.
   void placeAtDisplacement(double displacement_mm);
 
   const StrokePosition& position() const { return position_; }
-  /// Jumps and bottom-outs met while not armed.
+  /// Number of jumps and bottom-outs passed while not armed.
   std::uint64_t suppressed() const { return suppressed_; }
 
  private:

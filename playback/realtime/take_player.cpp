@@ -5,7 +5,7 @@ namespace detent::playback {
 
 namespace {
 constexpr double takeFade_s = 0.005;
-constexpr double takeGainRamp_s = 0.01;  // as the engine's
+constexpr double takeGainRamp_s = 0.01;  // the same as the engine's
 }  // namespace
 
 void TakePlayer::setSampleRate(double sampleRate_Hz) {

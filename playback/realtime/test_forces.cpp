@@ -10,18 +10,20 @@ namespace detent::playback {
 
 namespace {
 
-// The relay's pushes grow until one has moved the handle so far, then by so much: what moves it at all hardly does.
+// The relay's pushes increase until one has moved the handle this far, then by this much more, because a push
+// that barely moves it is too weak.
 constexpr double firstPush_N = 0.04, growth = 1.4, growth_N_per_s = 0.8;
 constexpr double movedBy_mm = 0.3, moreThanFriction = 3, least_N = 0.25;
 constexpr double push_s = 0.04, pushPeriods = 3;
-// Against the push it needs less to be sure.
+// A movement against the push counts from this distance on.
 constexpr double opposedBy_mm = 0.05, opposedSteps = 4;
-// Speeds between the slowest and the fastest, in an order that mixes them.
+// Speeds between the slowest and the fastest, in a mixed order.
 constexpr std::array<double, 5> speedShares{0.0, 1.0, 0.4, 0.1, 0.7};
-// A weak spring of this frequency keeps the chirp in the middle; it leads by this, so that its own lateness makes nothing swing.
+// A weak spring of this frequency keeps the chirp in the middle. It predicts by this time, so that its own
+// delay causes no oscillation.
 constexpr double keeping_Hz = 3, keepingLead_s = 0.08;
 constexpr double moreThanFrictionShaking = 3, fadeIn_s = 0.4;
-// Beyond this share of the half way it takes more force to turn, or less speed.
+// Beyond this share of the half range, more force is used for turning, or less speed.
 constexpr double mostBeyond = 0.8, stronger = 1.02, slower = 0.99;
 constexpr double mPerMm = 1e-3;
 
@@ -50,8 +52,9 @@ void TestForces::beginPush(double position_mm) {
   pushed_s_ = 0;
 }
 
-// Pushes in and out in turns, each stronger and each braked by as long a one the other way: a free handle with a dead encoder stays about
-// where it is. Once the encoder has counted, one push that grows until the handle follows.
+// Alternating pushes in and out, each stronger than the last and each braked by an equally long opposite one,
+// so that a free handle with a dead encoder stays about where it is. Once the encoder has counted: one push
+// that increases until the handle follows.
 double TestForces::firstMove_N(double position_mm) {
   const double most_N = excitation_.largest_N, part_s = std::max(push_s, pushPeriods * period_s_);
   if (relay_N_ == 0) beginPush(position_mm);
@@ -65,7 +68,7 @@ double TestForces::firstMove_N(double position_mm) {
     pushed_s_ += period_s_;
     if (pushed_s_ > 2 * part_s) {
       strongest_ += relay_N_ >= most_N ? 1 : 0;
-      unmoved_ = strongest_ == 2;  // in and out
+      unmoved_ = strongest_ == 2;  // in both directions
       if (unmoved_) return 0;
       beginPush(position_mm);
     }
@@ -78,7 +81,7 @@ double TestForces::firstMove_N(double position_mm) {
   return -sense_ * strength_N;
 }
 
-// A heavy handle turns late.
+// Adjusts force and speed for a heavy handle, which turns late.
 void TestForces::keepInside(double beyond_mm) {
   if (beyond_mm < mostBeyond * excitation_.half_mm) return;
   if (relay_N_ < excitation_.largest_N) {
@@ -88,7 +91,8 @@ void TestForces::keepInside(double beyond_mm) {
   }
 }
 
-// Accelerates up to the speed of this turn, coasts, and turns behind the half way; where friction has slowed it, it is pushed again.
+// Accelerates to the speed of this turn, coasts, and turns beyond half of the range; if friction has slowed
+// the handle down, pushes again.
 double TestForces::relay_N(double position_mm, double velocity_mm_per_s) {
   if (!moving_) return firstMove_N(position_mm);
   const double strength_N = std::min(relay_N_, excitation_.largest_N);

@@ -15,11 +15,13 @@ class TestForces {
         fastest_mm_per_s_(program.excitation.fastest_mm_per_s) {}
 
   bool present() const { return excitation_.kind != ForceExcitation::Kind::none; }
-  /// The handle moved against the first push: motor or encoder are reversed, and there is no force any more.
+  /// Returns true if the handle moved against the first push: motor or encoder are reversed, and there is no
+  /// force any more.
   bool reversed() const { return reversed_; }
-  /// The encoder counted nothing while the handle was pushed with the whole force, in and out, and there is no force any more.
+  /// Returns true if the encoder counted nothing while the handle was pushed with the full force, in and out;
+  /// there is no force any more.
   bool unmoved() const { return unmoved_; }
-  /// Against growing displacement, as all forces here; at most `largest_N`.
+  /// Force in the direction of decreasing displacement, as everywhere here; at most `largest_N`.
   double step_N(double position_mm, double velocity_mm_per_s);
 
  private:
@@ -32,14 +34,14 @@ class TestForces {
   ForceExcitation excitation_;
   double period_s_, step_mm_;
   bool begun_ = false, moving_ = false, reversed_ = false, unmoved_ = false;
-  double from_mm_ = 0;       ///< where the handle stood when the push began
-  double pushed_s_ = 0;      ///< since then
-  int sense_ = 1;            ///< of the push, like `direction_`
-  bool counted_ = false;     ///< the encoder
-  int strongest_ = 0;        ///< pushes with the whole force
-  double relay_N_ = 0;       ///< strength: grows from push to push until the handle moves
+  double from_mm_ = 0;       ///< position of the handle at the start of the push
+  double pushed_s_ = 0;      ///< duration since then
+  int sense_ = 1;            ///< direction of the push, as in `direction_`
+  bool counted_ = false;     ///< the encoder has counted
+  int strongest_ = 0;        ///< number of pushes with the full force
+  double relay_N_ = 0;       ///< strength; increases from push to push until the handle moves
   int direction_ = 1;        ///< 1: towards growing displacement
-  std::uint32_t turns_ = 0;  ///< since it moves
+  std::uint32_t turns_ = 0;  ///< turns since it moves
   double fastest_mm_per_s_;
   double time_s_ = 0, phase_rad_ = 0;
 };

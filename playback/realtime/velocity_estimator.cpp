@@ -9,15 +9,16 @@ namespace detent::playback {
 
 namespace {
 
-// Acceleration of a finger: 3 m/s^2, the standard deviation of the acceleration within one press of 100 ms. A
-// factor of three either way costs 10 to 30 % of the error (docs/measurements/bench-force.md).
+// Typical acceleration of a finger, 3 m/s^2: the standard deviation of the acceleration within one press of
+// 100 ms. A factor of three in either direction costs 10 to 30 % in error (docs/measurements/bench-force.md).
 constexpr double fingerAcceleration_mm_per_s2 = 3000;
 
 }  // namespace
 
 VelocityEstimator::VelocityEstimator(VelocityMethod method, double period_s, double step_mm)
     : method_(method), period_s_(period_s), step_mm_(step_mm) {
-  // Steady-state Kalman gains for a random acceleration (Kalata's tracking index). A step is uniform noise.
+  // Steady-state Kalman gains for a random acceleration (Kalata's tracking index). An encoder step is uniform
+  // noise.
   const double readingNoise_mm = step_mm / std::sqrt(12.0);
   const double index = fingerAcceleration_mm_per_s2 * period_s * period_s / readingNoise_mm;
   const double r = (4 + index - std::sqrt(8 * index + index * index)) / 4;
@@ -62,17 +63,16 @@ double VelocityEstimator::kalman(double position_mm) {
   return velocity_mm_per_s_;
 }
 
-// While no new step arrives, the speed cannot be more than one step over that time. Without the bound an
-// estimator keeps a velocity at rest (SimpleFOC issue 533). The filter itself is not touched: its next
-// innovation stays what it was.
+// While no new step arrives, the speed cannot exceed one step divided by that time. Without this bound, an
+// estimator keeps a velocity at rest (SimpleFOC issue 533). The filter's state is not changed.
 double VelocityEstimator::boundedByStep(double velocity_mm_per_s) const {
   if (unchanged_ == 0) return velocity_mm_per_s;
   const double bound_mm_per_s = step_mm_ / (unchanged_ * period_s_);
   return std::clamp(velocity_mm_per_s, -bound_mm_per_s, bound_mm_per_s);
 }
 
-// First-order adaptive windowing, end-fit: the longest window whose every reading lies within one step of the
-// line through its ends.
+// First-order adaptive windowing, end-fit: the longest window in which every reading lies within one step of
+// the line through its ends.
 double VelocityEstimator::foaw(double position_mm) {
   const std::size_t slots = history_mm_.size();
   newest_ = (newest_ + 1) % slots;

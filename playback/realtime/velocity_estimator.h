@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Velocity from an encoder that knows steps only. Three methods; what each costs in noise and delay is
-// measured in docs/measurements/bench-force.md.
+// Velocity from an encoder with finite steps. Three methods; docs/measurements/bench-force.md has the noise
+// and delay of each.
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@ class VelocityEstimator {
   /// `period_s`, `step_mm` > 0.
   VelocityEstimator(VelocityMethod method, double period_s, double step_mm);
 
-  /// Forgets everything; at rest at a position.
+  /// Discards the history; at rest at a position.
   void restart(double position_mm);
 
   /// Velocity in mm/s after the next reading.
@@ -25,7 +25,7 @@ class VelocityEstimator {
 
  private:
   static constexpr std::size_t foawWindow =
-      15;  ///< samples; Janabi-Sharifi, Hayward and Chen 2000 recommend it
+      15;  ///< longest window in samples; recommended by Janabi-Sharifi, Hayward and Chen 2000
   double kalman(double position_mm);
   double foaw(double position_mm);
   double boundedByStep(double velocity_mm_per_s) const;

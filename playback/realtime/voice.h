@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One sounding burst: a pure function of the sample index since its start, optionally fading out when stolen.
+// One sounding burst: a pure function of the sample index since its start, with an optional fade-out when it
+// is stolen.
 
 #include <cmath>
 #include <cstddef>
@@ -18,12 +19,12 @@ class Voice {
   bool quietensSlope() const { return quietensSlope_; }
   std::int64_t left() const { return length_ - position_; }
   std::int64_t age() const { return position_; }
-  /// The highest its envelope gets in the next `samples`, as far as it is not stolen.
+  /// Highest value of its envelope in the next `samples`, without the effect of a fade-out.
   double loudestWithin(double samples) const {
     const double now = static_cast<double>(position_) * perLength_, then = now + samples * perLength_;
     return amplitude_ * (envelope_ == Envelope::falling ? 1 - now : then < 1 ? then : 1);
   }
-  /// Share of its level a fading voice still has; 1 when not fading.
+  /// Remaining level of a fading voice; 1 if it is not fading.
   double fadeLevel() const {
     return fading() ? 1.0 - static_cast<double>(fadePosition_) / static_cast<double>(fadeLength_) : 1.0;
   }

@@ -25,8 +25,8 @@ Result<std::vector<FeltButton>> feltIn(const Study& study, FeedbackMode mode) {
 }  // namespace
 
 Result<std::vector<ForetoldPair>> foretold(const Study& study) {
-  std::vector<ForetoldPair> told;
-  if (!asksForX(study.design.kind)) return told;
+  std::vector<ForetoldPair> forecasts;
+  if (!asksForX(study.design.kind)) return forecasts;
   for (const FeedbackMode mode : study.design.modes) {
     Result<std::vector<FeltButton>> felt = feltIn(study, mode);
     if (!felt) return felt.failure();
@@ -34,11 +34,11 @@ Result<std::vector<ForetoldPair>> foretold(const Study& study) {
     const std::vector<PredictedPair> predicted = predictAll(*felt);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const PredictedPair& pair = predicted[i];
-      told.push_back({mode, pairs[i].first, pairs[i].second, pair.dPrime, pair.shareOfErrors,
-                      english(verdictOf(pair)), english(reasonOf(pair))});
+      forecasts.push_back({mode, pairs[i].first, pairs[i].second, pair.dPrime, pair.shareOfErrors,
+                           english(verdictOf(pair)), english(reasonOf(pair))});
     }
   }
-  return told;
+  return forecasts;
 }
 
 }  // namespace detent::playback

@@ -16,10 +16,11 @@ namespace detent::playback {
 namespace {
 
 constexpr double tapHold_s = 0.15;
-constexpr double firstReading_s = 3, look_s = 0.02;
-constexpr double tone_Hz = 2000, tone_s = 0.015, toneLevel = 0.25;  // heard, but above what a fingertip feels
+constexpr double firstReading_s = 3, poll_s = 0.02;
+// audible, but above the frequencies that a fingertip feels
+constexpr double tone_Hz = 2000, tone_s = 0.015, toneLevel = 0.25;
 constexpr double twoPi = 2 * std::numbers::pi;
-constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs, as standardPress
+constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs, as in standardPress
 
 struct PreparedStimulus {
   std::size_t button = 0;
@@ -29,18 +30,18 @@ struct PreparedStimulus {
 
 /// One stimulus of the trial.
 struct Slot {
-  bool locked = false;  ///< of a self-locking button: where the last actuation left it
+  bool locked = false;  ///< of a self-locking button: its state after the last actuation
 };
 
-/// The same button found in its other state: it alternates at each actuation, also when others were pressed
+/// The same button, starting in its other state: it alternates at each actuation, even if others were pressed
 /// in between (K&L, Table 3: EF).
 HapticProgram beginningLocked(HapticProgram program) {
   if (program.stateCount > 1) std::swap(program.states[0], program.states[1]);
   return program;
 }
 
-/// A press has a time: where the button says nothing of a contact, it closes at half the travel. Nothing that
-/// is felt changes.
+/// Adds a contact at half the travel to a button without one, because a press needs a time. Nothing that is
+/// felt changes.
 void giveContact(HapticProgram& program) {
   for (std::size_t i = 0; i < program.stateCount; ++i) {
     StateProgram& state = program.states[i];
@@ -52,7 +53,7 @@ void giveContact(HapticProgram& program) {
   }
 }
 
-/// Every stimulus of the study, ready before the first trial.
+/// Prepares every stimulus of the study before the first trial.
 Result<std::vector<PreparedStimulus>> prepareAll(const Study& study) {
   std::vector<PreparedStimulus> prepared;
   for (const StudyStimulus& stimulus : study.stimuli) {
@@ -80,7 +81,7 @@ StudyTrouble troubleOf(SensorCondition condition) {
   return StudyTrouble::sensorSilent;
 }
 
-/// "c0 + c1 u ... N, residual 0.02 N, 14 weights": which calibration turned readings into newtons.
+/// "c0 + c1 u ... N, residual 0.02 N, 14 weights": the calibration that converted readings to newtons.
 std::string wordsOf(const SensorCalibration& c) {
   std::string text = c.circuit == SensorCircuit::newtons  ? "newtons"
                      : c.circuit == SensorCircuit::linear ? "linear"
@@ -89,7 +90,7 @@ std::string wordsOf(const SensorCalibration& c) {
   return text + "; residual " + exact(c.residual_N) + " N; " + std::to_string(c.weights) + " weights";
 }
 
-/// Failure if a force device is impossible with this study. Every button is one it can render.
+/// Failure if this study is impossible on a force device, or if a button cannot be rendered.
 Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings) {
   const auto wrong = [](Message problem, const Message& remedy) {
     return Failure{FailureCode::wrongUsage, "force device", "", std::move(problem), remedy};
@@ -116,7 +117,7 @@ Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings)
   return Done{};
 }
 
-/// The device under the finger, with the first button. Its pace is the clock's, also of a simulated one.
+/// The device under the finger, with the first button. It runs in real time, even a simulated one.
 Result<std::unique_ptr<ForcePlayer>> forceUnder(const Study& study, const StudyPlayerSettings& settings) {
   if (Result<Done> ok = checkForce(study, settings); !ok) return ok.failure();
   ForcePlayerSettings force;
@@ -125,7 +126,7 @@ Result<std::unique_ptr<ForcePlayer>> forceUnder(const Study& study, const StudyP
   Result<std::unique_ptr<ForcePlayer>> started =
       ForcePlayer::start(study.buttons[study.stimuli.front().button].button, force);
   if (!started) return started;
-  for (const StudyStimulus& stimulus : study.stimuli) {  // a slow link allows less than the device
+  for (const StudyStimulus& stimulus : study.stimuli) {  // a slow link allows less than the device itself
     Result<Done> ok = (*started)->setButton(study.buttons[stimulus.button].button);
     if (!ok) return ok.failure();
   }
@@ -134,7 +135,7 @@ Result<std::unique_ptr<ForcePlayer>> forceUnder(const Study& study, const StudyP
 
 class Player final : public StudyPlayer {
  public:
-  /// `force`: null, none is there. `heard`: the player plays on a sound device.
+  /// `force`: null without a force device. `heard`: the player uses a sound device.
   Player(const Study& study, std::vector<PreparedStimulus> stimuli, std::unique_ptr<LivePlayer> player,
          bool heard, std::unique_ptr<ForcePlayer> force, const StudyPlayerSettings& settings)
       : stimuli_(std::move(stimuli)),
@@ -208,14 +209,14 @@ class Player final : public StudyPlayer {
             static_cast<float>(toneLevel * (1 - t_s / tone_s) * std::sin(twoPi * tone_Hz * t_s));
       }
     }
-    (void)player_->playSamples(samples, rate_Hz);  // a lost device is reported by troubleSinceAsked
+    (void)player_->playSamples(samples, rate_Hz);  // troubleSinceAsked reports a lost device
   }
 
   Felt takeFelt() override {
     follow();
     const PressCount count = player_->takePresses();
     const std::uint64_t inputs = player_->status().counts.inputs;
-    const bool played = inputs > playedInputs_;  // the callback has taken readings: it runs
+    const bool played = inputs > playedInputs_;  // the callback has taken readings, so it is running
     if (count.whole > 0) playedInputs_ = inputs;
     return {static_cast<std::size_t>(count.begun), static_cast<std::size_t>(played ? count.whole : 0),
             count.peak_N, count.travel_mm};
@@ -240,19 +241,19 @@ class Player final : public StudyPlayer {
     if (force_) force_->rearm();
   }
 
-  /// Returns true if readings and blocks come as expected; waits for the first of them.
+  /// Returns true if readings and blocks arrive as expected; waits for the first of them.
   bool runs() {
     const auto running = [this] {
       const PlayerStatus status = player_->status();
       return (!heard_ || status.blockFrames > 0) && (!sensor() || status.sensor == SensorCondition::running);
     };
-    // A cue's delay stands in the journal's first line; some sound systems tell it a little later.
-    const bool toldDelay = heard_ && timed_ == TimingTask::cue;
-    for (double waited_s = 0; waited_s < firstReading_s; waited_s += look_s) {
-      if (running() && (!toldDelay || waited_s > 1 || player_->status().outputLatency_s > 0)) return true;
-      std::this_thread::sleep_for(std::chrono::duration<double>(look_s));
+    // The delay of a cue is stored in the journal's first line, but some sound systems report it late.
+    const bool needsLatency = heard_ && timed_ == TimingTask::cue;
+    for (double waited_s = 0; waited_s < firstReading_s; waited_s += poll_s) {
+      if (running() && (!needsLatency || waited_s > 1 || player_->status().outputLatency_s > 0)) return true;
+      std::this_thread::sleep_for(std::chrono::duration<double>(poll_s));
     }
-    return !sensor();  // a sound device that is slow to begin is watched all the time
+    return !sensor();  // a sound device that is slow to start is monitored anyway
   }
 
  private:
@@ -317,8 +318,8 @@ class Player final : public StudyPlayer {
     if (underFinger_ && player_->status().state == 1)
       slots_[*underFinger_].locked = !slots_[*underFinger_].locked;
     if (slots_.size() <= slot) slots_.resize(slot + 1);
-    follow();  // what was done with the one before
-    // A force device begins every one unlocked.
+    follow();  // completes the previous stimulus
+    // A force device starts every button unlocked.
     player_->setProgram(slots_[slot].locked && !force_ ? beginningLocked(next.program) : next.program);
     if (force_) unrendered_ = !force_->setButton(buttons_[next.button]);
     underFinger_ = slot;
@@ -328,9 +329,9 @@ class Player final : public StudyPlayer {
   std::unique_ptr<LivePlayer> player_;
   bool heard_;
   std::unique_ptr<ForcePlayer> force_;
-  std::vector<Button> buttons_;  ///< with force_: of the study
+  std::vector<Button> buttons_;  ///< the study's buttons, for a force device
   std::vector<ForceStep> steps_;
-  bool unrendered_ = false;  ///< the link has become too slow for the button under the finger
+  bool unrendered_ = false;  ///< the link has become too slow for the present button
   StudyPlayerSettings settings_;
   std::optional<TimingTask> timed_;  ///< of a timing study
   std::vector<Slot> slots_;

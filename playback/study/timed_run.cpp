@@ -9,7 +9,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double feelWithin_s = 1;  // a key's finger presses meanwhile
+constexpr double feelWithin_s = 1;  // time for a key's simulated finger to complete its press
 
 const Trial& nextOf(const ParticipantSession& session) {
   DETENT_CHECK(session.trial() != nullptr, "a trial that comes next");
@@ -24,26 +24,26 @@ TimedRun::TimedRun(const Study& study, ParticipantSession& session, StudyPlayer&
       player_(player),
       trial_(nextOf(session)),
       shown_s_(player.clock_s()),
-      desk_(study, trial_, began_s, shown_s_) {
+      controller_(study, trial_, began_s, shown_s_) {
   player_.beginTrial();
   player_.place(0, trial_.choices[0], trial_.mode);
   player_.troubleSinceAsked();
   sound();
 }
 
-/// The whole count-in as one piece: its beats are even to the sample.
+/// Plays the whole count-in as one sound, so that its beats are exact to the sample.
 void TimedRun::sound() {
   if (study_.design.task != TimingTask::cue) return;
   std::vector<double> delays_s;
   const double from_s = player_.clock_s();
-  for (const double beat_s : desk_.beats_s()) delays_s.push_back(std::max(0.0, beat_s - from_s));
+  for (const double beat_s : controller_.beats_s()) delays_s.push_back(std::max(0.0, beat_s - from_s));
   player_.soundBeats(delays_s);
 }
 
 void TimedRun::pressed(double at_s, double within_s) {
   if (player_.sensed() || at_s < shown_s_) return;
-  desk_.felt(player_.takeFelt());
-  desk_.pressed(at_s, within_s);
+  controller_.felt(player_.takeFelt());
+  controller_.pressed(at_s, within_s);
   player_.press(0, trial_.choices[0], trial_.mode);
 }
 
@@ -54,25 +54,25 @@ Result<TimedOutcome> TimedRun::look() {
     outcome.state = TimedState::lost;
     return again(nameOf(outcome.trouble), outcome);
   }
-  desk_.felt(player_.takeFelt());
+  controller_.felt(player_.takeFelt());
   if (player_.sensed()) {
     for (const ContactClosing& c : player_.takeClosings())
-      if (c.time_s >= shown_s_) desk_.pressed(c.time_s, c.within_s);
+      if (c.time_s >= shown_s_) controller_.pressed(c.time_s, c.within_s);
   }
   const double now_s = player_.clock_s();
-  if (!desk_.over(now_s)) return outcome;
+  if (!controller_.over(now_s)) return outcome;
   if (!over_s_) over_s_ = now_s;
-  // The finger of a key is still on its way.
-  if (desk_.fault() == TimingFault::notFelt && now_s < *over_s_ + feelWithin_s) return outcome;
+  // The simulated finger of a key is still moving.
+  if (controller_.fault() == TimingFault::notFelt && now_s < *over_s_ + feelWithin_s) return outcome;
   return finish(now_s);
 }
 
 Result<TimedOutcome> TimedRun::finish(double now_s) {
   TimedOutcome outcome;
   outcome.state = TimedState::anew;
-  outcome.fault = desk_.fault();
+  outcome.fault = controller_.fault();
   if (outcome.fault != TimingFault::none) return again(nameOf(outcome.fault), outcome);
-  const Answer answer = desk_.answer(now_s);
+  const Answer answer = controller_.answer(now_s);
   if (Result<Done> kept = session_.record(answer); !kept) {
     outcome.failure = kept.failure();
     return again("not kept", outcome);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial from its first sight to the journal, whatever shows it and whatever presses: a terminal, a
-// window; keys, a pad, a sensor.
+// One timed trial from its start to the journal, for any display and any source of presses: terminal or
+// window; keys, pad or sensor.
 
 #include <optional>
 
@@ -14,35 +14,36 @@ namespace detent::playback {
 /// Progress of a timed trial.
 enum class TimedState : std::uint8_t {
   running,
-  kept,  ///< the answer is on the disk
-  lost,  ///< a device: it begins anew, and the journal says why
-  anew   ///< likewise, for what the participant did, or because the answer could not be kept
+  kept,  ///< the answer is on disk
+  lost,  ///< a device was lost: the trial is repeated, and the journal states the reason
+  /// the trial is repeated because of what the participant did, or because the answer could not be stored
+  anew
 };
 struct TimedOutcome {
   TimedState state = TimedState::running;
-  bool hit = false;                               ///< kept, window: the window was hit
-  StudyTrouble trouble = StudyTrouble::none;      ///< lost
-  TimingFault fault = TimingFault::none;          ///< anew; none: see failure
-  std::optional<Failure> failure = std::nullopt;  ///< why it could not be kept
+  bool hit = false;                               ///< with `kept`, window task: the window was hit
+  StudyTrouble trouble = StudyTrouble::none;      ///< with `lost`
+  TimingFault fault = TimingFault::none;          ///< with `anew`; none: see `failure`
+  std::optional<Failure> failure = std::nullopt;  ///< the reason why the answer could not be stored
 };
 
-/// Owns the trial that comes next until it has ended. One thread.
+/// Runs the next trial until it has ended. One thread.
 class TimedRun {
  public:
-  /// Shows it now: the button is under the finger, and a cue's beats are on their way. `began_s`: this
-  /// stretch of work, on the player's clock. All must outlive it.
+  /// Starts the trial now: the button is under the finger, and a cue's beats are scheduled. `began_s`: start
+  /// of this stretch of work, on the player's clock. All arguments must outlive it.
   TimedRun(const Study& study, ParticipantSession& session, StudyPlayer& player, double began_s);
   TimedRun(const TimedRun&) = delete;
   TimedRun& operator=(const TimedRun&) = delete;
 
   const Trial& trial() const { return trial_; }
-  const TimingDesk& desk() const { return desk_; }
+  const TimingDesk& desk() const { return controller_; }
 
   /// A key or a pad went down: presses, unless a sensor does, or it was before the trial. See
   /// TimingDesk::pressed.
   void pressed(double at_s, double within_s);
-  /// Takes the finger's movements. To be called every 10 ms or so until it is no longer running. Failure: of
-  /// the journal.
+  /// Takes the finger's movements. Call it about every 10 ms until the trial is no longer running. Failure:
+  /// of the journal.
   Result<TimedOutcome> look();
 
  private:
@@ -53,9 +54,9 @@ class TimedRun {
   const Study& study_;
   ParticipantSession& session_;
   StudyPlayer& player_;
-  const Trial trial_;  // the session's goes on with it
+  const Trial trial_;  // a copy, because the session moves on to the next trial
   const double shown_s_;
-  TimingDesk desk_;
+  TimingDesk controller_;
   std::optional<double> over_s_;
 };
 

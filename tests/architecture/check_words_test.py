@@ -15,6 +15,7 @@ GLOSSARY = """# Glossary
 | use | instead of | found in |
 |---|---|---|
 | bottom-out | wall, walls | comments, identifiers |
+| traversal | walk | comments, identifiers |
 | legend key | legend's sample | comments |
 | what the value is | its | whole identifiers |
 | Returns true if | Whether | comment openings |
@@ -26,6 +27,7 @@ CASES = (
     ('const char* text = "the wall";\n', []),
     ('auto text = R"(the "wall")";\n', []),
     ("// the Legend's sample\n", ["legend's sample"]),
+    ("fz_walk_path(context); walkPath();\n", ["walk"]),
     ("double its = 0, itself = 1;\n", ["its"]),
     ("/// Whether it falls.\n", ["Whether …"]),
     ("/// Returns true if it falls.\n/// Whether that matters is open.\n", []),

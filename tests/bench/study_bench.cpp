@@ -104,7 +104,7 @@ ThresholdEstimate estimated(const Observer& o, std::size_t trials, StudyRandom& 
   QuestPlus quest(levels);
   for (std::size_t i = 0; i < trials; ++i) {
     const std::size_t at = quest.nextLevel();
-    quest.take({at, drawShare(random) < shareToldApart(levels[at], o.threshold, o.slope, o.lapse)});
+    quest.take({at, drawShare(random) < shareCorrect(levels[at], o.threshold, o.slope, o.lapse)});
   }
   return quest.estimate();
 }

@@ -266,7 +266,7 @@ TEST_CASE("an end that strayed comes back to the end of the points, whatever its
     chain[2].at = {100, 300, 3, 3};
     return chain;
   };
-  KnotChain slid = chainWith(12, 36, -3);  // put in order with the knot before it, it stood at -1.5
+  KnotChain slid = chainWith(12, 36, -3);  // the order of knots alone would put it at -1.5
   CHECK(returnStrayKnots(slid, points, 5) == 1);
   CHECK(slid.front().u() == 0);
   CHECK(slid.front().v() == 0);

@@ -19,7 +19,7 @@ namespace {
 constexpr mode_t rights = 0644;
 constexpr std::size_t chunk_bytes = 65536;
 
-/// write() in full; 0 or the error.
+/// Writes the whole text; returns 0 or the error code.
 int writeWhole(int descriptor, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t wrote = ::write(descriptor, text.data() + done, text.size() - done);
@@ -94,7 +94,7 @@ Result<Done> LineJournal::append(const std::string& line) {
     length_bytes_ += static_cast<std::int64_t>(line.size()) + 1;
     return Done{};
   }
-  // Where even this is refused, the half line is cut off when the journal is opened again.
+  // If even this fails, the incomplete line is removed when the journal is opened again.
   if (::ftruncate(descriptor_, length_bytes_) == 0) ::fdatasync(descriptor_);
   return journalTrouble(file_, Message("could not take one more line"), error);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An append-only text file that loses nothing: each line is on the disk before append() returns, a line that
-// was cut off by a crash is removed and reported, and a second process is refused. POSIX.
+// An append-only text file without data loss: each line is on disk before append() returns, a line that a
+// crash truncated is removed and reported, and a second process is refused. POSIX.
 
 #include <cstdint>
 #include <filesystem>
@@ -12,24 +12,24 @@
 
 namespace detent::playback {
 
-/// The lines of a journal without writing to it or waiting for its writer; each without its line end.
+/// The lines of a journal, read without changing it or waiting for its writer; each without its line end.
 struct JournalText {
   std::vector<std::string> lines;
-  std::string unfinished;  ///< what follows the last line end: a line being written, or cut off
+  std::string unfinished;  ///< text after the last line end: a line that is being written, or was truncated
 
-  /// Returns true for a file of another kind: it has no whole line, and its text begins as no journal does
-  /// (JSON objects; zeros after a power cut).
+  /// Returns true for a file of another kind: it has no complete line, and its text does not begin like a
+  /// journal (with a JSON object, or zeros after a power failure).
   bool isForeign() const;
 };
 JournalText splitJournal(const std::string& text);
 /// Failure for a file that is not a journal.
 Failure notAJournal(const std::filesystem::path& file);
 
-/// An open journal; owned by one thread. Movable, not copyable; destroying it lets others in.
+/// An open journal; owned by one thread. Movable, not copyable; destroying it unlocks the file.
 class LineJournal {
  public:
-  /// Opens or creates `file` and locks it for this process. Failure unreadableInput: cannot be opened, or
-  /// another process holds it, or it is a file of another kind.
+  /// Opens or creates `file` and locks it for this process. Failure unreadableInput: it cannot be opened,
+  /// another process has locked it, or it is a file of another kind.
   static Result<LineJournal> open(const std::filesystem::path& file);
   ~LineJournal();
   LineJournal(LineJournal&& other) noexcept;
@@ -40,8 +40,8 @@ class LineJournal {
   /// Contents of the file when it was opened; `unfinished` has been removed from the file.
   const JournalText& opened() const { return opened_; }
 
-  /// Writes one line (without a line end in it) and waits until the disk has it. Failure unreadableInput: the
-  /// disk refused; the file is as before, the same call may be made again.
+  /// Writes one line (which contains no line end) and waits until it is on disk. Failure unreadableInput: the
+  /// disk refused; the file is unchanged, and the call may be repeated.
   Result<Done> append(const std::string& line);
 
  private:

@@ -74,8 +74,8 @@ void sayConfusion(const std::string& a, const std::string& b, const PredictedPai
                english(reasonOf(pair)).c_str(), pair.dPrime);
 }
 
-/// Pairs from the most confused to the least, each with the probability that it is more confused than the
-/// next.
+/// Prints the pairs from the most confused to the least, each with the probability that it is more confused
+/// than the next.
 void sayOrder(const std::vector<FeltButton>& felt, const std::vector<PairRank>& ranks) {
   if (ranks.size() < 2) return;
   std::vector<std::string> lines(ranks.size());

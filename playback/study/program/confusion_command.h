@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// detent-play confusion: will people tell these buttons apart?
+// detent-play confusion: predicts whether people can distinguish these buttons.
 
 #include <string>
 

@@ -170,7 +170,7 @@ struct RunArguments {
   std::string folder, participant, simulation;
   std::optional<Listening> condition;  ///< empty: as in the journal
   bool json = false;
-  std::vector<std::string> others;  ///< options of the station that a terminal was
+  std::vector<std::string> others;  ///< options of the former terminal station
 };
 
 Result<Done> checkAnswering(const RunArguments& a) {
@@ -186,7 +186,7 @@ Result<Done> checkAnswering(const RunArguments& a) {
   return Done{};
 }
 
-/// Says each answer on stderr only once it is on the disk.
+/// Simulates a participant; reports each answer on stderr only after it is on disk.
 int runRun(const RunArguments& a, const Cancelled& cancelled) {
   if (Result<Done> ok = checkAnswering(a); !ok) return fail(ok.failure());
   const Result<Study> study = openStudy(a.folder);
@@ -238,7 +238,8 @@ void addRun(CLI::App& parent, Action& chosen) {
             "trials of a participant. Default: as before, quiet at first",
             "");
   app->add_flag("--json", a->json, "One JSON object on stdout");
-  app->allow_extras();  // to name what replaces the options of the station that a terminal was
+  // so that options of the former terminal station can be answered with their replacement
+  app->allow_extras();
   app->callback([&chosen, a, app] {
     a->others = app->remaining();
     chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); };
@@ -391,9 +392,9 @@ int printStatusJson(const Study& study) {
   return 0;
 }
 
-/// Says again whenever something has changed.
+/// Prints the progress again whenever it has changed.
 int followStatus(const Study& study, const Cancelled& cancelled) {
-  constexpr double look_s = 0.3;
+  constexpr double poll_s = 0.3;
   std::string shown;
   while (!cancelled()) {
     const Result<std::string> words = statusWords(study);
@@ -403,7 +404,7 @@ int followStatus(const Study& study, const Cancelled& cancelled) {
       std::fflush(stdout);
       shown = *words;
     }
-    sleepUntil(now_s() + look_s);
+    sleepUntil(now_s() + poll_s);
   }
   return 0;
 }
@@ -432,13 +433,13 @@ Result<StudyResults> resultsIn(const std::string& folder) {
   return resultsIn(*study);
 }
 
-/// Forecast for the study's buttons on its device, mode by mode; nothing for printed counts.
+/// Forecast for the study's buttons on its device, mode by mode; empty for printed counts.
 Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
   Result<Study> study = openStudy(folder);
   if (!study) return study.failure();
   if (!asksForX(study->design.kind))
-    return std::vector<ForetoldPair>{};  // it foretells who is taken for whom
+    return std::vector<ForetoldPair>{};  // the forecast predicts which buttons are confused
   return foretold(*study);
 }
 
@@ -473,7 +474,7 @@ int runReport(const ReadArguments& a) {
 struct PlanArguments {
   std::string folder, htmlFile, listsFolder;
   std::size_t people = 12;
-  std::optional<Unfinished> unfinished;  ///< empty: as kept so far
+  std::optional<Unfinished> unfinished;  ///< empty: keeps the present rule
   bool json = false;
 };
 
@@ -543,7 +544,8 @@ struct PressesArguments {
   bool json = false;
 };
 
-/// Tables of a study's folder or a CSV file; sets the task to the study's, or to the usual one of a file.
+/// Tables for a study's folder or a CSV file. Sets `task` to the study's; for a file without a given task, to
+/// the usual one.
 Result<std::vector<FigureTable>> pressesIn(const std::string& file, std::optional<TimingTask>& task) {
   std::error_code error;
   if (!std::filesystem::is_directory(file, error)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// detent-play study new|run|status|report: can people tell these buttons apart?
+// detent-play study new|run|status|report: studies whether people can distinguish these buttons.
 
 #include "playback/program/command.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The journal's hash and the next difference of a threshold study as WebAssembly, beside the engine of
-// page_engine.cpp. Compiled for wasm32-wasi only; station.js calls it, in the page's thread.
+// The journal's hash and the next difference of a threshold study as WebAssembly, linked with
+// page_engine.cpp. Compiled only for wasm32-wasi; station.js calls it on the page's thread.
 
 #include <cstdint>
 #include <string>
@@ -25,7 +25,7 @@ std::vector<double>& values() {
 
 #define DETENT_EXPORT(name) extern "C" __attribute__((export_name(#name), visibility("default")))
 
-/// Room for so many bytes of UTF-8.
+/// Room for this many bytes of UTF-8.
 DETENT_EXPORT(detent_text) char* detent_text(std::uint32_t bytes) {
   text().assign(bytes, '\0');
   return text().data();
@@ -36,13 +36,13 @@ DETENT_EXPORT(detent_sha256) const char* detent_sha256() {
   return text().data();
 }
 
-/// Room for so many numbers of detent_next_level.
+/// Room for this many numbers, for detent_next_level.
 DETENT_EXPORT(detent_values) double* detent_values(std::uint32_t count) {
   values().assign(count, 0);
   return values().data();
 }
-/// Index of the difference that QUEST+ asks next. detent_values holds `levels` rising differences, then an
-/// answer in two numbers each: its level, and 1 if it was right.
+/// Index of the difference that QUEST+ would ask next. detent_values contains `levels` increasing
+/// differences, then two numbers per answer: its level, and 1 if it was correct.
 DETENT_EXPORT(detent_next_level) std::uint32_t detent_next_level(std::uint32_t levels) {
   const std::vector<double>& v = values();
   detent::playback::QuestPlus quest({v.data(), v.data() + levels});

@@ -23,7 +23,7 @@ using StationJson = nlohmann::ordered_json;
 
 constexpr std::size_t mostPeople = 200;
 
-constexpr const char* command = "study station";  // in every language
+constexpr const char* command = "study station";  // not translated
 
 Failure noStation(Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, command, "", std::move(problem), remedy};
@@ -46,7 +46,7 @@ Result<Done> checkForBrowsers(const Study& study) {
   return checkStimuli(study);
 }
 
-/// "https://host:port" of an address, for the page's own rule of what it may connect to.
+/// "https://host:port" of an address, for the page's content security policy.
 Result<std::string> originOf(const std::string& address) {
   const std::size_t host = address.find("://") + 3;
   const std::size_t end = std::min(address.find_first_of("/?#", host), address.size());
@@ -64,13 +64,13 @@ Result<std::string> originOf(const std::string& address) {
                  Message("Give one such as https://lab.example/answers")};
 }
 
-/// Where each participant of the page stands: planned, or after all who have begun.
+/// Records of the page's participants, each with a place: the planned one, or one after all who have begun.
 Result<std::vector<ParticipantRecord>> newPeople(const Study& study, const std::vector<std::string>& ids) {
   if (ids.empty() || ids.size() > mostPeople)
     return noStation(Message("a page is for 1 to %1 participants, not %2", mostPeople, ids.size()),
                      Message("Name them with --participants, separated by commas"));
-  const Result<PlannedPlaces> places = placesOf(study.folder);
-  if (!places) return places.failure();
+  const Result<PlannedPlaces> plan = placesOf(study.folder);
+  if (!plan) return plan.failure();
   const Result<std::vector<ParticipantRecord>> begun = readParticipants(study);
   if (!begun) return begun.failure();
   std::set<std::string> spoken;
@@ -83,7 +83,7 @@ Result<std::vector<ParticipantRecord>> newPeople(const Study& study, const std::
     if (!spoken.insert(spokenId(id)).second)
       return noStation(Message("%1 is named twice, or is too similar to another id", id),
                        Message("Give ids that are read out differently"));
-    person->place = placeOf(*places, id, begun->size() + people.size());
+    person->place = placeOf(*plan, id, begun->size() + people.size());
     person->plan = planTrials(study, id, person->place);
     people.push_back(*std::move(person));
   }
@@ -117,7 +117,7 @@ StationJson stimuliAsJson(const Study& study) {
   return list;
 }
 
-/// Base64 of little-endian numbers, as a browser reads them; null: nothing is heard.
+/// Base64 of little-endian numbers, as a browser reads them; null: no sound.
 StationJson soundAsJson(const PressSound& sound) {
   if (!sound.audible()) return nullptr;
   return {{"rendered", sound.rendered},
@@ -128,7 +128,7 @@ StationJson soundAsJson(const PressSound& sound) {
           {"delay_s", sound.delay_s}};
 }
 
-/// A text for each language there is one for, English first.
+/// The consent texts of all available languages, English first.
 Result<StationJson> consentsAsJson(const Study& study) {
   std::set<std::string> languages;
   std::error_code error;
@@ -144,7 +144,7 @@ Result<StationJson> consentsAsJson(const Study& study) {
   order.insert(order.end(), languages.begin(), languages.end());
   for (const std::string& language : order) {
     const Result<ConsentText> text = consentIn(study.folder, language);
-    if (!text && language == "en" && order.size() > 1) continue;  // texts in other languages alone
+    if (!text && language == "en" && order.size() > 1) continue;  // there are texts only in other languages
     if (!text) return text.failure();
     texts.push_back({{"language", text->language}, {"text", text->text}, {"sha256", text->sha256}});
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The files of playback/study/station as they are in the program: written by playback/page/embed.cmake.
+// The files of playback/study/station, embedded in the program by playback/page/embed.cmake.
 
 #include <string_view>
 

@@ -18,7 +18,7 @@ double shareCorrect(double dPrime, AbxStrategy strategy) {
 double dPrimeOf(double share, AbxStrategy strategy) {
   if (!(share > 0.5)) return 0;
   if (share >= 1) return std::numeric_limits<double>::infinity();
-  constexpr double farthest = 40;  // the share is 1 to the last bit long before
+  constexpr double farthest = 40;  // the share is exactly 1 long before this
   return whereRisingPasses(share, 0, farthest, [&](double d) { return shareCorrect(d, strategy); });
 }
 

@@ -47,7 +47,7 @@ Interval clopperPearson(const Count& count, double confidence) {
   if (count.trials == 0) return {};
   const double tail = (1 - confidence) / 2;
   Interval interval;
-  if (count.errors > 0) {  // P(at least so many) rises with the rate
+  if (count.errors > 0) {  // P(at least as many errors) increases with the rate
     interval.low = whereRisingPasses(tail, 0, 1, [&](double rate) {
       return 1 - atMost({count.errors - 1, count.trials}, rate);
     });

@@ -13,7 +13,7 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
-/// Errors and trials of all counts together; none of an empty list.
+/// Sum of errors and of trials of all counts; zero for an empty list.
 Count sumOf(const std::vector<Count>& counts);
 
 /// A rate with its interval, all in [0, 1].
@@ -24,8 +24,8 @@ struct Interval {
 /// errors / trials; 0 without trials.
 double rateOf(const Count& count);
 
-/// P(at most `errors` of `trials` are errors) where each is one with probability `rate`. "At most one error
-/// in ten" by guessing: atMost({1, 10}, 0.5) = 11/1024 = 0.0107.
+/// P(at most `errors` of `trials` are errors) if each is one with probability `rate`. "At most one error in
+/// ten" by guessing: atMost({1, 10}, 0.5) = 11/1024 = 0.0107.
 double atMost(const Count& count, double rate);
 
 /// Wilson's score interval (Wilson, JASA 1927). `confidence` in (0, 1). Without trials: [0, 1].

@@ -15,7 +15,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double addedEachWay = 0.5;
-constexpr std::size_t fewestPersons = 6;  // as participantBootstrap
+constexpr std::size_t fewestPersons = 6;  // the same as in participantBootstrap
 constexpr int mostSteps = 100;
 constexpr double smallestStep = 1e-12;
 
@@ -24,7 +24,7 @@ double shareOfLogOdds(double logOdds) { return 1 / (1 + std::exp(-logOdds)); }
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Number of wins of the first of two against the second, and all their choices.
+/// Wins of the first of two things against the second, and number of their comparisons.
 struct Duel {
   double wins = 0, all = 0;
 };
@@ -52,7 +52,8 @@ struct Slopes {
 
 Slopes slopesAt(const Vector& scores, const Duels& duels) {
   const Eigen::Index n = scores.size();
-  Slopes s{Vector::Zero(n), Matrix::Constant(n, n, 1.0 / static_cast<double>(n))};  // fixes the mean
+  // fixes the mean of the scores
+  Slopes s{Vector::Zero(n), Matrix::Constant(n, n, 1.0 / static_cast<double>(n))};
   for (const auto& [pair, duel] : duels) {
     const auto i = static_cast<Eigen::Index>(pair.first), k = static_cast<Eigen::Index>(pair.second);
     const double share = shareOfLogOdds(scores[i] - scores[k]), weight = duel.all * share * (1 - share);
@@ -67,12 +68,13 @@ Slopes slopesAt(const Vector& scores, const Duels& duels) {
   return s;
 }
 
-/// Things that nobody compared with the rest, even by way of others, leave a direction open: it stays at 0.
+/// Things that were not compared with the rest, even indirectly, leave a direction undetermined: it stays at
+/// 0.
 Matrix inverseOf(const Matrix& information) {
   return Eigen::CompleteOrthogonalDecomposition<Matrix>(information).pseudoInverse();
 }
 
-/// Pull of each person's choices on the scores.
+/// Contribution of each person's choices to the gradient.
 Matrix pullsOf(const std::vector<Preference>& preferences, const Vector& scores, std::size_t persons) {
   Matrix pulls = Matrix::Zero(scores.size(), static_cast<Eigen::Index>(persons));
   for (const Preference& p : preferences) {
@@ -95,7 +97,7 @@ PreferenceScores bradleyTerry(const std::vector<Preference>& preferences, std::s
     const Slopes s = slopesAt(scores, duels);
     Vector step = inverseOf(s.information) * s.gradient;
     const double longest = step.cwiseAbs().maxCoeff();
-    if (longest > 1) step /= longest;  // Newton from afar overshoots
+    if (longest > 1) step /= longest;  // far from the solution a Newton step overshoots
     scores += step;
     if (longest < smallestStep) break;
   }

@@ -13,13 +13,14 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t mostEnumerated = 20;  // a million sign patterns, some milliseconds
+constexpr std::size_t mostEnumerated = 20;  // a million sign patterns, which take some milliseconds
 constexpr std::size_t randomPatterns = 100000;
 constexpr std::uint64_t seed = 19350101;
-constexpr double roundOff = 1e-12;  // of the sum of all |differences|: sums in another order are the same sum
+// of the sum of all |differences|: sums in another order of addition count as equal
+constexpr double roundOff = 1e-12;
 
 /// Calls `visit(sum over the members, size)` for every subset of `values`, or for many random ones. Subsets
-/// and sign patterns are the same thing: flipping the members takes twice their sum away.
+/// and sign patterns are equivalent: flipping the members subtracts twice their sum.
 template <class Visit>
 void forSubsets(const std::vector<double>& values, Visit visit) {
   const std::size_t n = values.size();
@@ -27,7 +28,8 @@ void forSubsets(const std::vector<double>& values, Visit visit) {
     double sum = 0;
     std::uint32_t members = 0;
     visit(0.0, std::size_t{0});
-    for (std::uint32_t i = 1; i < (std::uint32_t{1} << n); ++i) {  // Gray code: one comes or goes at a time
+    // Gray code: one member is added or removed at a time
+    for (std::uint32_t i = 1; i < (std::uint32_t{1} << n); ++i) {
       const int changed = std::countr_zero(i);
       members ^= std::uint32_t{1} << changed;
       const double value = values[static_cast<std::size_t>(changed)];
@@ -37,7 +39,7 @@ void forSubsets(const std::vector<double>& values, Visit visit) {
     return;
   }
   StudyRandom random(seed);
-  visit(0.0, std::size_t{0});  // what was observed is one of them
+  visit(0.0, std::size_t{0});  // the observed pattern is one of them
   for (std::size_t i = 0; i < randomPatterns; ++i) {
     double sum = 0;
     std::size_t size = 0;

@@ -28,7 +28,7 @@ double signFlipP(const std::vector<int>& differences) {
     total += d;
     reach += std::abs(d);
   }
-  // The share of sign patterns that come to each sum: one person after the other.
+  // Share of sign patterns with each sum, built up person by person.
   std::vector<double> shares(2 * static_cast<std::size_t>(reach) + 1, 0.0);
   shares[static_cast<std::size_t>(reach)] = 1;
   for (const int d : differences) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Power of a study: the share of simulated studies in which the test that is printed later finds the
-// difference. Deterministic; any thread.
+// Power of a study: the share of simulated studies in which the reported test finds the difference.
+// Deterministic; any thread.
 
 #include <cstddef>
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace detent::playback {
 
-/// pairedDifference()'s p for differences that are whole numbers, exact for any number of people: 1 for
+/// The p of pairedDifference() for differences that are whole numbers, exact for any number of people; 1 for
 /// nobody.
 double signFlipP(const std::vector<int>& differences);
 
@@ -23,7 +23,7 @@ using DrawDifference = std::function<int(StudyRandom&)>;
 double signFlipPower(std::size_t people, const DrawDifference& draw, double level = 0.05,
                      std::size_t studies = 3000);
 
-/// Error rates of people in two conditions of `trials` each: the median person errs at `rate` in one and at
+/// Error rates of people in two conditions of `trials` each: the median person's rate is `rate` in one and
 /// `rate` + `difference` in the other.
 struct ErrorRates {
   std::size_t trials = 10;
@@ -32,7 +32,7 @@ struct ErrorRates {
   double spread = 0.5;         ///< standard deviation over people of the log odds of an error
   double effectSpread = 0.25;  ///< standard deviation over people of the difference of the log odds
 };
-/// Errors in the second condition less those in the first, of a person drawn from such people.
+/// Errors in the second condition minus those in the first, for one person drawn at random.
 int drawErrorDifference(const ErrorRates& rates, StudyRandom& random);
 
 /// A normal number of mean 0 and standard deviation 1 (Box & Muller 1958).

@@ -17,11 +17,11 @@ constexpr double pi = 3.14159265358979323846;
 constexpr int mostRounds = 300;
 constexpr double settled = 1e-9;
 constexpr double firstLapses = 0.05;
-/// A lapse may lie anywhere in so much of the scale of an observation: an interval to either side; of tapping
-/// e to either side.
+/// Range over which lapses are distributed, on the scale of an observation: one interval to either side; for
+/// tapping a factor e to either side.
 constexpr double lapseRange = 2;
 
-/// An observation y = place * carrier + drift * when + noise; y in intervals, of tapping the logarithm.
+/// An observation y = place * carrier + drift * when + noise; y in intervals, for tapping its logarithm.
 struct Observation {
   double y = 0, carrier = 1, when = 0;  ///< when: from -1/2 to 1/2 over the trials
 };
@@ -67,11 +67,12 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// A start that one lapse in four does not move: median and median deviation.
+/// First estimate for the iteration: median and median deviation. A lapse in every fourth trial does not move
+/// it.
 Line startFor(const std::vector<Observation>& all) {
-  std::vector<double> places, deviations;
-  for (const Observation& o : all) places.push_back(o.y / o.carrier);
-  Line line{medianOf(places), 0, 0};
+  std::vector<double> observedPlaces, deviations;
+  for (const Observation& o : all) observedPlaces.push_back(o.y / o.carrier);
+  Line line{medianOf(observedPlaces), 0, 0};
   for (const Observation& o : all) deviations.push_back(std::fabs(o.y - line.at(o)));
   constexpr double ofNormal = 1.4826;
   line.variance = std::pow(ofNormal * medianOf(deviations), 2);
@@ -104,7 +105,7 @@ std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPre
   Line line = startFor(all);
   double lapses = firstLapses;
   std::vector<double> weights(all.size(), 1);
-  // Expectation and maximisation: each press belongs to the task with some probability.
+  // Expectation maximisation: each press belongs to the task with some probability.
   for (int round = 0; round < mostRounds; ++round) {
     if (!(line.variance > 0)) return {};
     const double height = (1 - lapses) / std::sqrt(2 * pi * line.variance);
@@ -122,7 +123,7 @@ std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPre
     if (still) break;
   }
   if (!(line.variance > 0)) return {};
-  // The logarithm of an estimated standard deviation is low by half its share of the degrees of freedom.
+  // The logarithm of an estimated standard deviation is too low, by 1/2 divided by the degrees of freedom.
   const double degrees = std::accumulate(weights.begin(), weights.end(), -2.0);
   const double spread = std::sqrt(line.variance) * std::exp(0.5 / degrees);
   const double place = task == TimingTask::tapping ? std::exp(line.place) : line.place;
@@ -131,13 +132,13 @@ std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPre
 
 LaboratoryTiming timingOver(TimingTask task, const std::vector<PersonTiming>& people, double confidence) {
   DETENT_CHECK(!people.empty(), "a laboratory has people");
-  const bool ratio = task == TimingTask::tapping;  // seconds: a ratio scale, as spreads are
-  std::vector<double> places, spreads;
+  const bool ratio = task == TimingTask::tapping;  // for times between presses, a ratio scale, as for spreads
+  std::vector<double> personPlaces, spreads;
   for (const PersonTiming& p : people) {
-    places.push_back(ratio ? std::log(p.timing.place) : p.timing.place);
+    personPlaces.push_back(ratio ? std::log(p.timing.place) : p.timing.place);
     spreads.push_back(std::log(p.timing.spread));
   }
-  const MeanOverPeople place = meanOver(places, confidence), spread = meanOver(spreads, confidence);
+  const MeanOverPeople place = meanOver(personPlaces, confidence), spread = meanOver(spreads, confidence);
   const auto back = [&](double value, bool logarithm) { return logarithm ? std::exp(value) : value; };
   LaboratoryTiming laboratory{{back(place.mean, ratio), std::exp(spread.mean)}, {}, {}};
   if (people.size() < fewestForInterval) return laboratory;

@@ -17,7 +17,7 @@ namespace detent::playback {
 enum class TimingTask : std::uint8_t {
   cue,     ///< press with the cue
   window,  ///< press while a target stands in its window
-  tapping  ///< press as fast as can be kept up
+  tapping  ///< press as fast as one can sustain
 };
 inline constexpr auto timingTasks = named<TimingTask>(
     {{"cue", TimingTask::cue}, {"window", TimingTask::window}, {"tapping", TimingTask::tapping}});
@@ -25,22 +25,22 @@ inline const char* nameOf(TimingTask task) { return timingTasks.word(task); }
 
 /// One trial of one person.
 struct TimedPress {
-  double interval_s = 0;  ///< cue, window: how long before it was known when it would come; > 0
-  double window_s = 0;    ///< window: how long it stood; > 0
-  /// cue: behind the cue, window: behind the window's beginning, negative before it; tapping: behind the
-  /// press before, > 0. None: no press.
+  double interval_s = 0;  ///< cue, window: time by which the cue is known in advance; > 0
+  double window_s = 0;    ///< window: its duration; > 0
+  /// cue: time after the cue; window: after the window's beginning, negative before it; tapping: after the
+  /// previous press, > 0. None: no press.
   std::optional<double> press_s;
 };
 
-/// The fitted figures. `place`, cue: mean press behind the cue as a share of the interval; window: the aim
-/// within the window, as a share of the window; tapping: seconds between presses. `spread`: standard
-/// deviation about that as a share of the interval; of tapping as a share of the time between presses.
+/// The fitted figures. `place`: for cue, mean delay of the press as a share of the interval; for window, the
+/// aim as a share of the window; for tapping, seconds between presses. `spread`: standard deviation around
+/// that, as a share of the interval; for tapping, as a share of the time between presses.
 struct PressTiming {
   double place = 0, spread = 0;
 };
 
-/// One person. Beside the two figures two nuisances are fitted that are theirs alone: a drift over the trials
-/// and a share of presses that belong to nothing (lapses, spread evenly over an interval to either side).
+/// One person. Besides the two figures, two nuisance parameters are fitted: a drift over the trials, and a
+/// share of presses unrelated to the task (lapses, distributed evenly over an interval to either side).
 struct PersonTiming {
   std::size_t trials = 0, presses = 0;
   PressTiming timing;
@@ -49,16 +49,17 @@ struct PersonTiming {
   double lapses = 0;  ///< share of the presses
 };
 
-/// Fewer presses than this say nothing of a person's spread.
+/// With fewer presses, a person's spread cannot be estimated.
 inline constexpr std::size_t leastPresses = 10;
-inline constexpr std::size_t fewestForInterval = 3;  ///< people: two say too little of how people scatter
+/// people: with two, the scatter between people is unknown
+inline constexpr std::size_t fewestForInterval = 3;
 
-/// Fits one person. Empty for fewer than leastPresses presses, or if they do not differ at all. Values within
-/// the ranges above (checked).
+/// Fits one person. Empty for fewer than leastPresses presses, or if they are all equal. Values must be
+/// within the ranges above (checked).
 std::optional<PersonTiming> timingOf(TimingTask task, const std::vector<TimedPress>& trials);
 
-/// A laboratory: the mean place and the geometric mean of the spreads over its people (of tapping geometric
-/// means both), each person counting alike, with Student's intervals over people; none for fewer than three.
+/// A laboratory: the mean place and the geometric mean of the spreads of its people (for tapping, geometric
+/// means of both), with equal weights, and Student's intervals over people; none for fewer than three.
 struct LaboratoryTiming {
   PressTiming timing;
   std::optional<Interval> place, spread;

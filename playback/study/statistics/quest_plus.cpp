@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t thresholdSteps = 81;
 constexpr double beyondLargest = 1.5;
-// d' in proportion to the difference is a slope of 1.25 or so; steps that are felt or not felt are steeper.
+// A d' proportional to the difference corresponds to a slope of about 1.25; differences that are either felt
+// or not have steeper slopes.
 constexpr std::array slopes{1.0, 1.4, 2.0, 2.8, 4.0};
 constexpr std::array lapses{0.0, 0.02, 0.05};
 constexpr std::size_t shapes = slopes.size() * lapses.size();
@@ -24,7 +25,7 @@ double plogp(double p) { return p > 0 ? p * std::log(p) : 0; }
 
 }  // namespace
 
-double shareToldApart(double difference, double threshold, double slope, double lapse) {
+double shareCorrect(double difference, double threshold, double slope, double lapse) {
   return 0.5 + (0.5 - lapse) * (1 - std::exp2(-std::pow(difference / threshold, slope)));
 }
 
@@ -39,7 +40,7 @@ QuestPlus::QuestPlus(std::vector<double> levels) : levels_(std::move(levels)) {
     std::vector<double>& correct = correct_.emplace_back();
     for (const double threshold : thresholds_)
       for (const double slope : slopes)
-        for (const double lapse : lapses) correct.push_back(shareToldApart(level, threshold, slope, lapse));
+        for (const double lapse : lapses) correct.push_back(shareCorrect(level, threshold, slope, lapse));
   }
 }
 
@@ -47,10 +48,10 @@ double QuestPlus::expectedEntropy(std::size_t level) const {
   const std::vector<double>& correct = correct_[level];
   double right = 0, rightTerms = 0, wrongTerms = 0;
   for (std::size_t i = 0; i < belief_.size(); ++i) {
-    const double both = belief_[i] * correct[i];
-    right += both;
-    rightTerms += plogp(both);
-    wrongTerms += plogp(belief_[i] - both);
+    const double joint = belief_[i] * correct[i];
+    right += joint;
+    rightTerms += plogp(joint);
+    wrongTerms += plogp(belief_[i] - joint);
   }
   return plogp(right) - rightTerms + plogp(1 - right) - wrongTerms;
 }
@@ -81,7 +82,8 @@ void QuestPlus::take(const LevelAnswer& answer) {
 
 double QuestPlus::thresholdAt(double cumulated, const std::vector<double>& byThreshold) const {
   double below = 0;
-  const double half = std::log(thresholds_[1] / thresholds_[0]) / 2;  // each stands for what is around it
+  // each threshold represents the interval around it
+  const double half = std::log(thresholds_[1] / thresholds_[0]) / 2;
   for (std::size_t i = 0; i < thresholds_.size(); ++i) {
     if (below + byThreshold[i] >= cumulated && byThreshold[i] > 0)
       return thresholds_[i] * std::exp(half * (2 * (cumulated - below) / byThreshold[i] - 1));

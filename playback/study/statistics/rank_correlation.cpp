@@ -32,7 +32,7 @@ double spearman(const std::vector<double>& x, const std::vector<double>& y) {
   DETENT_CHECK(x.size() == y.size(), "one rank for each of both lists");
   if (x.size() < 2) return 0;
   const std::vector<double> a = ranksOf(x), b = ranksOf(y);
-  const double mean = static_cast<double>(x.size() - 1) / 2;  // of any ranks
+  const double mean = static_cast<double>(x.size() - 1) / 2;  // the mean of any complete ranking
   double ab = 0, aa = 0, bb = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     ab += (a[i] - mean) * (b[i] - mean);

@@ -6,12 +6,12 @@
 
 namespace detent::playback {
 
-/// Spearman's rank correlation with mean ranks for ties, -1..1; 0 where one list is constant or shorter than
-/// two. Both of one length.
+/// Spearman's rank correlation with mean ranks for ties, -1..1; 0 if one list is constant or shorter than
+/// two. Both lists have the same length.
 double spearman(const std::vector<double>& x, const std::vector<double>& y);
 
-/// P(at least this correlation by chance), one-sided, from 9,999 shuffles of `y` with a fixed seed; 1 where
-/// there is none.
+/// One-sided p of at least this correlation by chance, from 9,999 shuffles of `y` with a fixed seed; 1 if
+/// there is no correlation.
 double spearmanP(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace detent::playback

@@ -12,8 +12,8 @@ namespace detent::playback {
 
 namespace {
 
-// The data of few people bound every resample of them: five cover the truth in 86 to 92 of 100 cases, six in
-// 90 and more.
+// Resamples cannot go beyond the data of few people: intervals of five cover the truth in 86 to 92 of 100
+// cases, those of six in 90 and more.
 constexpr std::size_t fewestParticipants = 6;
 
 double rateWithout(const std::vector<Count>& counts, const Count& sum, std::size_t leftOut) {
@@ -71,7 +71,7 @@ std::optional<Interval> participantBootstrap(const std::vector<Count>& participa
   const std::vector<double> rates = resampledRates(participants, settings);
   if (rates.front() == rates.back()) return {};
   const double observed = rateOf(sumOf(participants));
-  // Ties count half: rates of few participants take few values.
+  // Ties count half, because rates of few participants have few values.
   const auto below =
       static_cast<double>(std::lower_bound(rates.begin(), rates.end(), observed) - rates.begin());
   const auto upTo =
@@ -80,8 +80,8 @@ std::optional<Interval> participantBootstrap(const std::vector<Count>& participa
   const double bias =
       normalQuantile(std::clamp((below + upTo) / (2 * static_cast<double>(rates.size())), half, 1 - half));
   const double acceleration = accelerationOf(participants);
-  // Resamples of n people spread by (n - 1) / n of what people do, and their spread is itself known from n
-  // only: the tails lie as far out as Student's (Hesterberg, American Statistician 2015).
+  // Resamples of n people have only (n - 1) / n of the variance, which itself is known from only n people:
+  // the tails are widened to Student's (Hesterberg, American Statistician 2015).
   const auto people = static_cast<double>(participants.size());
   const auto corrected = [&](double share) {
     const double z =

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double farthest = 40, root2 = 1.4142135623730951;
 
-/// Share of "different" for stimuli so far apart, with a criterion.
+/// Probability of "different" for stimuli at this distance, with a criterion.
 double calledDifferent(double dPrime, double criterion) {
   return normalCdf((dPrime - criterion) / root2) + normalCdf((-dPrime - criterion) / root2);
 }
@@ -29,7 +29,7 @@ double likelihood(const SameDifferentCount& c, double hitShare, double alarmShar
   return plusLog(total, c.same - c.falseAlarms, 1 - alarmShare);
 }
 
-/// Log likelihood of a distance with the criterion that fits it best (golden section).
+/// Log likelihood of a distance, with the criterion that fits it best (golden section search).
 double profile(const SameDifferentCount& c, double dPrime) {
   constexpr double golden = 0.6180339887498949, narrow = 1e-9;
   const auto at = [&](double k) { return likelihood(c, calledDifferent(dPrime, k), calledDifferent(0, k)); };
@@ -56,14 +56,14 @@ double shareOf(std::size_t count, std::size_t trials) {
   return static_cast<double>(count) / static_cast<double>(trials);
 }
 
-/// The share, moved by half an answer from 0 or 1.
+/// The share; moved by half an answer if it is 0 or 1.
 double within(std::size_t count, std::size_t trials, bool& moved) {
   moved |= count == 0 || count == trials;
   const double half = 0.5 / static_cast<double>(trials);
   return std::clamp(shareOf(count, trials), half, 1 - half);
 }
 
-/// The probabilities of each number of hits of one person, who said "different" so often (hypergeometric).
+/// Probabilities of each number of hits for one person who said "different" this often (hypergeometric).
 std::vector<double> hitChances(const SameDifferentCount& c) {
   const auto choose = [](std::size_t n, std::size_t k) {
     const auto gamma = [](std::size_t i) { return std::lgamma(static_cast<double>(i) + 1); };
@@ -91,7 +91,8 @@ SameDifferentCount sumOf(const std::vector<SameDifferentCount>& counts) {
 }
 
 SameDifferentDPrime dPrimeOf(const SameDifferentCount& c) {
-  constexpr double drop = 1.920729410347062;  // half of chi-squared's 95 %, one degree of freedom
+  // half of the 95 % quantile of chi-squared with one degree of freedom
+  constexpr double drop = 1.920729410347062;
   SameDifferentDPrime found;
   const double hits = within(c.hits, c.different, found.moved);
   const double alarms = within(c.falseAlarms, c.same, found.moved);
@@ -108,7 +109,7 @@ SameDifferentDPrime dPrimeOf(const SameDifferentCount& c) {
   const auto lost = [&](double d) { return best - profile(c, d); };
   const double middle = apart ? found.differencing : 0;
   if (lost(0) > drop) found.low = whereRisingPasses(-drop, 0, middle, [&](double d) { return -lost(d); });
-  constexpr double unbounded = 15;  // shares there are 0 or 1 to the last bit
+  constexpr double unbounded = 15;  // at this distance shares are exactly 0 or 1
   if (lost(unbounded) > drop) found.high = whereRisingPasses(drop, middle, unbounded, lost);
   return found;
 }

@@ -9,7 +9,7 @@
 
 namespace detent::playback {
 
-/// Answers to trials with two different stimuli, and with one stimulus twice.
+/// Counts of answers to trials with two different stimuli, and with one stimulus twice.
 struct SameDifferentCount {
   std::size_t different = 0, hits = 0;    ///< of those, called different
   std::size_t same = 0, falseAlarms = 0;  ///< of those, called different
@@ -19,21 +19,22 @@ struct SameDifferentCount {
 SameDifferentCount sumOf(const std::vector<SameDifferentCount>& counts);
 
 struct SameDifferentDPrime {
-  /// The participant compares the difference of the two with a criterion; for mixed pairs. And: each of the
-  /// two is identified first, without bias; for one pair that is known. 0 where there are no more hits than
-  /// false alarms.
+  /// `differencing`: for mixed pairs, the participant compares the difference of the two with a criterion.
+  /// `independent`: for one known pair, each of the two is identified first, without bias. 0 if there are no
+  /// more hits than false alarms.
   double differencing = 0, independent = 0;
-  double low = 0;              ///< 95 % by the likelihood of the differencing model (Christensen & Brockhoff,
-                               ///< Journal de la SFdS 2009), trials independent
-  std::optional<double> high;  ///< none: the answers do not bound it
+  /// lower end of the 95 % interval by the likelihood of the differencing model (Christensen & Brockhoff,
+  /// Journal de la SFdS 2009), with independent trials
+  double low = 0;
+  std::optional<double> high;  ///< upper end; none if the answers do not bound it
   bool moved = false;          ///< a share of 0 or 1 was moved by half an answer (Macmillan & Kaplan 1985)
 };
 
-/// Both kinds of trials must be there.
+/// There must be trials of both kinds.
 SameDifferentDPrime dPrimeOf(const SameDifferentCount& count);
 
-/// P(so many hits or more) where nobody tells the two apart, however often each person says "different"; one
-/// count for each person, exact.
+/// Exact probability of at least as many hits if nobody can distinguish the two stimuli, however often each
+/// person says "different". `persons` has one count for each person.
 double guessedP(const std::vector<SameDifferentCount>& persons);
 
 }  // namespace detent::playback

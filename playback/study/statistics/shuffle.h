@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Shuffles that come out alike on every machine: the engine is fixed by the C++ standard, the distributions
-// of the standard library are not.
+// Shuffles that give the same order on every machine: the C++ standard fixes the generator, but not the
+// distributions of the standard library.
 
 #include <cstdint>
 #include <random>
@@ -11,14 +11,14 @@
 
 namespace detent::playback {
 
-/// The generator of a study's random numbers, as its files state it.
+/// Name of the random generator and shuffle, as a study's files state it.
 inline constexpr const char* generatorName = "mt19937_64, Fisher-Yates by rejection";
 using StudyRandom = std::mt19937_64;
 
-/// A generator that begins the same way for the same text: the first 64 bits of its SHA-256 are the seed.
+/// A generator seeded by a text: the first 64 bits of its SHA-256.
 StudyRandom randomSeededBy(std::string_view text);
 
-/// 0 <= result < bound, each equally likely. bound >= 1.
+/// Uniform in 0 <= result < bound. bound >= 1.
 inline std::uint64_t drawBelow(StudyRandom& random, std::uint64_t bound) {
   const std::uint64_t usable = StudyRandom::max() - StudyRandom::max() % bound;
   for (;;) {

@@ -43,11 +43,11 @@ MeanOverPeople meanOver(const std::vector<double>& values) {
   return result;
 }
 
-/// Answers that count, by condition.
+/// A counted answer with its context, by condition.
 struct Counted {
   const ParticipantRecord* participant = nullptr;
   std::size_t person = 0;
-  std::size_t at = 0;  ///< of the answer
+  std::size_t at = 0;  ///< index of the answer
   const Trial& trial() const { return participant->plan[at]; }
   const Answer& answer() const { return participant->answers[at].answer; }
 };
@@ -73,7 +73,7 @@ struct PersonThreshold {
 
 std::size_t referenceOf(const Trial& trial) { return trial.choices[1 - trial.target]; }
 
-/// Thresholds by reference and person.
+/// Thresholds, by reference button and person.
 std::map<std::pair<std::size_t, std::size_t>, PersonThreshold> thresholdsIn(
     const Study& study, const std::vector<Counted>& answers) {
   std::map<std::pair<std::size_t, std::size_t>, PersonThreshold> found;
@@ -126,9 +126,9 @@ FigureTable overPeopleTable() {
 
 // ---- ratings
 
-/// What one person gave one button or pair on average: a rating, the logarithm of one, or 1 where the pair's
-/// first was preferred.
-using PersonMeans = std::map<std::size_t, std::map<std::size_t, double>>;  // by thing, by person
+/// Mean response of one person to one button or pair: a rating, its logarithm, or 1 if the pair's first was
+/// preferred.
+using PersonMeans = std::map<std::size_t, std::map<std::size_t, double>>;
 
 PersonMeans meansOf(const std::vector<Counted>& answers,
                     const std::function<std::pair<std::size_t, double>(const Counted&)>& valueOf) {
@@ -145,8 +145,8 @@ PersonMeans meansOf(const std::vector<Counted>& answers,
   return means;
 }
 
-/// Ratings on one scale: everybody uses numbers of their own, so a person's deviations in logarithms are
-/// added to the mean of all (Stevens; Lane, Catania & Stevens, JASA 1961). Persons who did not rate every
+/// Ratings on one common scale: everybody uses their own numbers, so a person's deviations (in logarithms)
+/// are added to the mean of all (Stevens; Lane, Catania & Stevens, JASA 1961). Persons who did not rate every
 /// button are left out.
 PersonMeans onOneScale(const PersonMeans& logs, std::size_t things) {
   std::map<std::size_t, std::pair<double, std::size_t>> byPerson;
@@ -233,8 +233,8 @@ FigureTable differenceTable(const Study& study) {
           {}};
 }
 
-/// Text of a mean of logarithms, shares or ratings.
-double told(RatingScale scale, double value) {
+/// Converts a mean of logarithms, shares or ratings back to the scale of the answers.
+double toAnswerScale(RatingScale scale, double value) {
   switch (scale) {
     case RatingScale::preference:
       break;
@@ -258,9 +258,10 @@ void addDifferences(const Study& study, const std::string& condition,
     p.push_back(d.p);
     table.rows.push_back(
         {condition, study.buttons[pairs[at].first].label, study.buttons[pairs[at].second].label,
-         count(differences[at].size()), told(scale, d.mean),
-         cell(d.interval ? std::optional(told(scale, d.interval->low)) : std::nullopt),
-         cell(d.interval ? std::optional(told(scale, d.interval->high)) : std::nullopt), d.p, FigureCell()});
+         count(differences[at].size()), toAnswerScale(scale, d.mean),
+         cell(d.interval ? std::optional(toAnswerScale(scale, d.interval->low)) : std::nullopt),
+         cell(d.interval ? std::optional(toAnswerScale(scale, d.interval->high)) : std::nullopt), d.p,
+         FigureCell()});
   }
   const std::vector<double> adjusted = holm(p);
   for (std::size_t i = 0; i < adjusted.size(); ++i) table.rows[before + i].back() = adjusted[i];
@@ -271,7 +272,7 @@ std::size_t pairAt(std::size_t first, std::size_t second) { return second * (sec
 void addPairwise(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
                  FigureTable& scores, FigureTable& differences) {
   std::vector<Preference> preferences;
-  std::map<std::size_t, std::size_t> persons;  // numbered without gaps
+  std::map<std::size_t, std::size_t> persons;  // person numbers without gaps
   for (const Counted& c : answers) persons.emplace(c.person, persons.size());
   for (const Counted& c : answers)
     preferences.push_back({persons.at(c.person), c.trial().choices[c.answer().choice],
@@ -291,7 +292,7 @@ void addPairwise(const Study& study, const std::string& condition, const std::ve
   addDifferences(study, condition, byPair, RatingScale::pairwise, differences);
 }
 
-/// Ratings as an order alone: how much is between 3 and 4 is not assumed to be what is between 6 and 7.
+/// Compares ratings by their order only, without assuming that 3 to 4 is the same distance as 6 to 7.
 FigureTable orderTable() {
   return {"rating_order",
           "Every two buttons against each other, by order alone",
@@ -310,7 +311,7 @@ FigureTable orderTable() {
           {}};
 }
 
-/// Share of pairs of a rating of each button in which the first is higher, less a half.
+/// Share of rating pairs, one of each button, in which the first is higher, minus one half.
 double higherShare(const std::vector<double>& first, const std::vector<double>& second) {
   double sum = 0;
   for (const double a : first)
@@ -320,7 +321,7 @@ double higherShare(const std::vector<double>& first, const std::vector<double>& 
 
 void addOrder(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
               FigureTable& order) {
-  std::map<std::size_t, std::map<std::size_t, std::vector<double>>> ratings;  // by button, by person
+  std::map<std::size_t, std::map<std::size_t, std::vector<double>>> ratings;  // by button, then by person
   for (const Counted& c : answers)
     ratings[c.trial().choices[0]][c.person].push_back(c.answer().rating.value_or(0));
   std::vector<std::vector<double>> byPair;
@@ -345,11 +346,12 @@ void addScale(const Study& study, const std::string& condition, const std::vecto
     const MeanOverPeople m = meanOver(valuesOf(people));
     const auto end = [&](double Interval::*side) {
       if (!m.interval) return FigureCell();
-      const double at = told(study.design.scale, (*m.interval).*side);
+      const double at = toAnswerScale(study.design.scale, (*m.interval).*side);
       return FigureCell(magnitude ? at : std::clamp(at, worstPreference, bestPreference));
     };
     scores.rows.push_back({condition, study.buttons[button].label, count(people.size()),
-                           told(study.design.scale, m.mean), end(&Interval::low), end(&Interval::high)});
+                           toAnswerScale(study.design.scale, m.mean), end(&Interval::low),
+                           end(&Interval::high)});
   }
   std::vector<std::vector<double>> byPair;
   for (const auto& [first, second] : pairsOf(study.buttons.size())) {
@@ -419,7 +421,7 @@ MatchCounts matchesIn(const std::vector<Counted>& answers, std::size_t buttons) 
   return counts;
 }
 
-/// A share of each person's trials with its two intervals, behind the row's first cells.
+/// Appends to a row the mean share over persons, with its two intervals.
 std::vector<FigureCell> shareCells(std::vector<FigureCell> row, const std::vector<Count>& persons) {
   const Count all = sumOf(persons);
   const Interval independent = wilson(all, confidence);
@@ -434,7 +436,7 @@ std::vector<FigureCell> shareCells(std::vector<FigureCell> row, const std::vecto
   return row;
 }
 
-/// Chance, p and p by Holm behind the rows from `before` on.
+/// Appends chance, p and Holm's p to the rows from `before` on.
 void addChance(FigureTable& table, std::size_t before, double chance, const std::vector<double>& p) {
   const std::vector<double> adjusted = holm(p);
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -485,7 +487,7 @@ void addMatches(const Study& study, const std::string& condition, const std::vec
 
 // ---- same/different
 
-FigureTable pairsToldApartTable() {
+FigureTable emptySameDifferentTable() {
   return {
       "same_different",
       "Pairs told apart: same or different",
@@ -509,8 +511,8 @@ FigureTable pairsToldApartTable() {
       {}};
 }
 
-void addToldApart(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
-                  FigureTable& table) {
+void addSameDifferent(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
+                      FigureTable& table) {
   std::map<std::size_t, std::map<std::size_t, SameDifferentCount>> byPair;
   for (const Counted& c : answers) {
     const auto [first, second] = std::minmax(c.trial().choices[0], c.trial().choices[1]);
@@ -543,9 +545,9 @@ void addToldApart(const Study& study, const std::string& condition, const std::v
 
 std::vector<FigureTable> sameDifferentTables(const Study& study,
                                              const std::vector<ParticipantRecord>& participants) {
-  FigureTable table = pairsToldApartTable();
+  FigureTable table = emptySameDifferentTable();
   for (const auto& [condition, answers] : conditionsOf(study, participants))
-    addToldApart(study, condition, answers, table);
+    addSameDifferent(study, condition, answers, table);
   return {table};
 }
 

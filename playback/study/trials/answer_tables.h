@@ -9,21 +9,22 @@
 
 namespace detent::playback {
 
-/// Same/different: hits, false alarms and d' of each pair, against people who do not tell the two apart.
+/// Same/different: hits, false alarms and d' of each pair, tested against people who cannot distinguish the
+/// two.
 std::vector<FigureTable> sameDifferentTables(const Study& study,
                                              const std::vector<ParticipantRecord>& participants);
 
-/// Thresholds of each participant, and of each button over participants. A condition of its own for each of
+/// Thresholds of each participant, and of each button over participants, separately for each combination of
 /// listening, mode and who answered, as in the rows.
 std::vector<FigureTable> thresholdTables(const Study& study,
                                          const std::vector<ParticipantRecord>& participants);
 
-/// Scales: what each button got over participants. Pairwise: Bradley-Terry scores. Then every two buttons
-/// against each other, participants as their own control; 1 to 7 also by order alone.
+/// Scales: the ratings of each button over participants; for pairwise comparisons, Bradley-Terry scores. Then
+/// all pairs of buttons compared, with participants as their own control; for 1 to 7 also by order alone.
 std::vector<FigureTable> ratingTables(const Study& study, const std::vector<ParticipantRecord>& participants);
 
-/// Matching: how often each button was found, against guessing; how often the buttons of each pair were taken
-/// for each other, against two that feel the same. With intervals and exact p.
+/// Matching: how often each button was found, compared with guessing; how often the buttons of each pair were
+/// confused, compared with two that feel the same. With intervals and exact p.
 std::vector<FigureTable> matchingTables(const Study& study,
                                         const std::vector<ParticipantRecord>& participants);
 

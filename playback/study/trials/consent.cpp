@@ -33,7 +33,7 @@ constexpr const char* germanConsent =
     "werden nur Ihre\n"
     "Antworten, deren Zeiten, wie Sie gedrückt haben, und eine anonyme Nummer.\n";
 
-/// NAME.de.txt: "de".
+/// The language in a file name: "de" for NAME.de.txt.
 std::string languageOf(const fs::path& file) {
   const std::string inner = file.stem().extension().string();
   const bool code = inner.size() == 3 &&

@@ -30,14 +30,14 @@ std::string shown(const FigureCell& cell, const FigureColumn& column, const char
   return text;
 }
 
-/// Returns true if a column holds words, which are aligned to the left.
+/// Returns true if a column contains text, which is aligned to the left.
 bool ofWords(const FigureTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<FigureCell>& row) {
     return std::holds_alternative<std::string>(row[column]);
   });
 }
 
-/// The headings, then every row as people read it.
+/// The headings, then every row in the form shown to people.
 std::vector<std::vector<std::string>> linesOf(const FigureTable& table) {
   std::vector<std::vector<std::string>> lines(table.rows.size() + 1);
   for (std::size_t c = 0; c < table.columns.size(); ++c) {

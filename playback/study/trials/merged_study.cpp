@@ -18,7 +18,7 @@ Failure cannotMerge(const fs::path& folder, Message problem, const Message& reme
   return {FailureCode::wrongUsage, folder.string(), "", std::move(problem), remedy};
 }
 
-/// Returns true if answers of both mean the same; seeds and programs may differ.
+/// Returns true if answers of both studies are comparable; seeds and programs may differ.
 bool comparable(const Study& a, const Study& b) {
   const auto taskOf = [](const StudyDesign& d) {
     return std::tie(d.kind, d.targets, d.modes, d.feel, d.quantity, d.scale, d.task, d.intervals_s,

@@ -30,7 +30,7 @@ std::string chainOf(const std::string& before, const std::string& body) {
   return sha256Hex(before + body).substr(0, chainDigits);
 }
 
-/// `body` is an object; the line is the same object with the chain as its last key.
+/// `body` is a JSON object; the line is the same object with the chain as its last key.
 std::string chained(const Json& object, std::string& chain) {
   const std::string body = jsonText(object);
   chain = chainOf(chain, body);
@@ -71,7 +71,7 @@ Json jsonOf(const StudyRoute& route) {
 }
 
 StudyRoute routeFrom(const Json& line) {
-  if (!line.contains("route")) return {};  // journals of version 1 before it was kept
+  if (!line.contains("route")) return {};  // journals of version 1, which did not store it
   const Json& json = line.at("route");
   StudyRoute route{json.at("sensor"), json.at("sensor_calibration"), json.at("sound")};
   if (json.contains("force")) route.force = json.at("force");
@@ -155,7 +155,7 @@ class Replay {
     s.device = json.at("device");
     s.simulation = json.at("simulation");
     s.utc_s = json.at("utc_s");
-    s.noiseLevel = json.value("noise_level", 0.0);  // journals before it was made here have none
+    s.noiseLevel = json.value("noise_level", 0.0);  // journals of versions that did not make it have none
     if (const std::size_t cut = json.at("cut_bytes"); cut > 0)
       note("half a line (" + std::to_string(cut) + " bytes) was cut off: what it held was never confirmed");
     if (!record_.sessions.empty()) placeAfterPause(s);
@@ -164,15 +164,15 @@ class Replay {
     return Done{};
   }
 
-  /// Start of this stretch after the first one began. The system clock may have been set meanwhile; the
-  /// steady clock gives a lower bound. A simulation invents its times: they prove no clock wrong.
+  /// Start of this session, relative to the first one. The system clock may have been changed meanwhile; the
+  /// steady clock gives a lower bound. A simulation invents its times, so they prove no clock wrong.
   void placeAfterPause(const SessionStart& s) {
-    const double byWallClock_s = s.utc_s - record_.sessions.front().utc_s;
-    if (s.kind != SessionKind::simulated && byWallClock_s < spent_s_ - clockTolerance_s)
+    const double bySystemClock_s = s.utc_s - record_.sessions.front().utc_s;
+    if (s.kind != SessionKind::simulated && bySystemClock_s < spent_s_ - clockTolerance_s)
       note("two clocks disagree: the system clock stepped back by " +
-           std::to_string(std::lround(spent_s_ - byWallClock_s)) +
+           std::to_string(std::lround(spent_s_ - bySystemClock_s)) +
            " s; times within a trial are not touched, the pause counts as none");
-    start_s_ = std::max(byWallClock_s, spent_s_);
+    start_s_ = std::max(bySystemClock_s, spent_s_);
   }
 
   Result<Done> answer(const Json& json) {
@@ -199,7 +199,7 @@ class Replay {
       return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
-    if (json.contains("felt")) {  // not in journals of version 0.2 and before
+    if (json.contains("felt")) {  // missing in journals up to version 0.2
       for (const Json& felt : json.at("felt")) a.felt.push_back(feltFrom(felt));
       a.feltX = feltFrom(json.at("felt_x"));
     }
@@ -215,7 +215,7 @@ class Replay {
     return Done{};
   }
 
-  /// A journal may come from another machine; what was not felt is no answer there either.
+  /// Checks that the stimuli were felt, because a journal may come from another machine.
   Result<Done> checkFelt(const Answer& a, std::size_t choices, bool kept) const {
     if (a.replays.size() > choices || a.felt.size() > choices)
       return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
@@ -229,8 +229,8 @@ class Replay {
            (json.at("interval_s") == trial.interval_s && json.at("window_s") == trial.window_s);
   }
 
-  /// The felt level counts, not the one that this machine would have chosen: if two levels promise the same,
-  /// the last digit of a logarithm decides.
+  /// The recorded level counts, not the one that this machine would choose: if two levels are equally
+  /// informative, the last digit of a logarithm decides.
   void takeLevel(const Json& json) {
     if (study_.design.kind != StudyKind::threshold) return;
     Trial& trial = record_.plan[record_.answers.size()];
@@ -252,7 +252,7 @@ class Replay {
   std::string file_, chain_;
   ParticipantRecord record_;
   std::size_t line_ = 0;
-  double start_s_ = 0, spent_s_ = 0;  // since the first stretch began
+  double start_s_ = 0, spent_s_ = 0;  // seconds since the first session began
 };
 
 }  // namespace
@@ -319,7 +319,7 @@ void Felt::add(const Felt& more) {
 
 bool feltEnough(const Study& study, const Answer& answer) {
   const auto whole = [](const Felt& felt) { return felt.whole > 0; };
-  // A press that closes the contact counts, to the end or not; that it did stands in the times.
+  // A press that closes the contact counts, even if it was not completed; the times show whether it was.
   if (study.design.kind == StudyKind::timing) return answer.felt.size() == 1 && answer.felt[0].presses > 0;
   if (!asksForX(study.design.kind))
     return !answer.felt.empty() && std::all_of(answer.felt.begin(), answer.felt.end(), whole);
@@ -357,7 +357,7 @@ bool ratingFits(const Study& study, const std::optional<double>& rating) {
 
 namespace {
 
-/// Records of all sites, each with its name before the ids: P01 of two sites are two people.
+/// Records of all sites, with the site's name before the id, because P01 of two sites are two people.
 Result<std::vector<ParticipantRecord>> readSites(const Study& study) {
   std::vector<ParticipantRecord> all;
   for (const std::string& site : study.sites) {
@@ -383,7 +383,8 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
   std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     std::filesystem::path file = entry.path();
-    if (file.extension() == ".head") file.replace_extension(".jsonl");  // a journal that is gone was there
+    // the head of a missing journal shows that it existed
+    if (file.extension() == ".head") file.replace_extension(".jsonl");
     if (file.extension() == ".jsonl") files.insert(file);
   }
   if (error)
@@ -512,7 +513,7 @@ Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, 
 
 namespace {
 
-/// Returns true if a journal says that a head lies beside it; those of version 0.2 had none at first.
+/// Returns true if a journal mentions its head file; those of version 0.2 had none at first.
 bool hadHead(const std::vector<std::string>& lines) {
   if (lines.empty()) return false;
   const Json header = Json::parse(lines.front(), nullptr, false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Contents of one participant's journal. The journal is a text of JSON lines; every line carries a piece of a
-// hash over itself and all before it, so that a line changed, added or removed by hand is noticed.
+// Contents of one participant's journal. The journal consists of JSON lines; every line contains part of a
+// hash over itself and all lines before it, so that a manually changed, added or removed line is detected.
 
 #include <optional>
 #include <string>
@@ -31,16 +31,17 @@ inline constexpr auto listenings =
 inline const char* nameOf(SessionKind kind) { return sessionKinds.word(kind); }
 inline const char* nameOf(Listening listening) { return listenings.word(listening); }
 
-/// Timing studies: the rule by which a press counts as made, and the way of the cue to the person.
+/// Timing studies: how a press is detected, and how the cue is presented.
 struct TimingRoute {
   std::string press;  ///< source of the presses' times, and what a time means: "key: read from the terminal"
-  std::string cue;    ///< what shows the time: "picture", "picture and sound"
-  /// Time from a trial's tone to this computer's output: half a buffer plus the sound system's delay; none:
+  std::string cue;    ///< display of the cue: "picture", "picture and sound"
+  /// Delay from a trial's tone to this computer's output: half a buffer plus the sound system's delay; none:
   /// unknown, or no tone.
   std::optional<double> cueLatency_s{};
 };
 
-/// Devices that press and play, by their own names. Kept in the journal's first line and with every stretch.
+/// Devices that press and play, by their own names. Stored in the journal's first line and with every
+/// session.
 struct StudyRoute {
   std::string sensorPort;         ///< empty: keys and large buttons press
   std::string sensorCalibration;  ///< "100 g = 0.98 N ..." in one line; empty without a sensor
@@ -49,74 +50,75 @@ struct StudyRoute {
   std::optional<TimingRoute> timing{};
 };
 
-/// One stretch of work without a pause.
+/// One period of work without a pause.
 struct SessionStart {
   SessionKind kind = SessionKind::real;
   Listening listening = Listening::quiet;
   std::string device;      ///< sound device; empty in rehearsal and simulation
   std::string simulation;  ///< "guess", "perfect", "errors=0.1"; else empty
   double utc_s = 0;        ///< system clock, since 1970
-  double noiseLevel = 0;   ///< of the masking noise made here, rms share of full scale; 0: none was made
+  double noiseLevel = 0;   ///< of the masking noise made by this program, rms share of full scale; 0: none
   StudyRoute route{};
-  std::optional<ConsentDecision> consent{};  ///< agreed just before; none: agreed before, or a simulation
+  /// agreement given just before; none: given earlier, or a simulation
+  std::optional<ConsentDecision> consent{};
 };
 
 /// A participant's movements with one stimulus in one trial, from the sensor (or the key that presses).
 struct Felt {
   std::size_t presses = 0;  ///< begun
-  std::size_t whole = 0;    ///< of those, pressed through, let go, and played
+  std::size_t whole = 0;    ///< presses that reached the bottom, were released, and were played
   double peak_N = 0;        ///< of all presses
   double travel_mm = 0;     ///< deepest of all presses
 
   void add(const Felt& more);
 };
 
-/// One answer. Times are of a steady clock, which never steps.
+/// One answer. Times are of a steady clock.
 struct Answer {
   std::size_t trial = 0;         ///< Trial::number
   std::size_t choice = 0;        ///< index into Trial::choices; 0 where one button is rated
-  std::optional<double> rating;  ///< of a scale: 1..7, or a number above 0
+  std::optional<double> rating;  ///< on a scale: 1..7, or a number above 0
   std::vector<double>
-      presses_s{};  ///< timing: behind the cue, the window's beginning, or the run's first press; rising
+      presses_s{};  ///< timing: after the cue, the window's beginning, or the run's first press; increasing
   double pressWithin_s = 0;          ///< timing: largest lateness of the report of a press
   std::vector<std::size_t> replays;  ///< of each choice
   std::size_t replaysX = 0;
   std::vector<Felt> felt;   ///< of each choice
-  Felt feltX;               ///< nothing where X is a real switch
-  double onset_s = 0;       ///< from the start of this stretch to the trial's first sight
-  double firstPress_s = 0;  ///< from there to the first press of anything
+  Felt feltX;               ///< empty if X is a real switch
+  double onset_s = 0;       ///< from the start of this session to the start of the trial
+  double firstPress_s = 0;  ///< from there to the first press of any stimulus
   double answer_s = 0;      ///< from there to the answer
 };
 
-/// An answer with the circumstances it was given in.
+/// An answer with its circumstances.
 struct RecordedAnswer {
   Answer answer;
   SessionKind kind = SessionKind::real;
   Listening listening = Listening::quiet;
-  std::size_t interruptions = 0;  ///< how often the trial was begun anew because the device was lost
-  double onset_s = 0;             ///< from the start of the participant's first stretch, pauses included
+  std::size_t interruptions = 0;  ///< number of times the trial was repeated because the device was lost
+  double onset_s = 0;             ///< since the start of the participant's first session, including pauses
 };
 
-/// The state of a participant: the replay of the journal.
+/// The state of a participant, from the journal.
 struct ParticipantRecord {
-  std::string participant;                 ///< SITE-ID in a merged study
-  std::string site;                        ///< of a merged study; else empty
-  std::string program;                     ///< that began it
-  std::size_t begunBefore = 0;             ///< participants who began before
-  std::size_t place = 0;                   ///< see planTrials: as planned (study_plan.h), else begunBefore
-  std::optional<ConsentDecision> consent;  ///< what they agreed to last
+  std::string participant;      ///< SITE-ID in a merged study
+  std::string site;             ///< of a merged study; else empty
+  std::string program;          ///< program that began it
+  std::size_t begunBefore = 0;  ///< participants who began before
+  std::size_t place = 0;        ///< see planTrials: as planned (study_plan.h), otherwise begunBefore
+  std::optional<ConsentDecision> consent;  ///< their latest agreement
   /// The reason why the journal cannot be used; then there is no plan and no answer.
   std::optional<Failure> damage;
   std::vector<Trial> plan;
   std::vector<SessionStart> sessions;
-  std::vector<RecordedAnswer> answers;  ///< answers[i] is of plan[i]
-  std::size_t interruptions = 0;        ///< of the trial that comes next
+  std::vector<RecordedAnswer> answers;  ///< answers[i] belongs to plan[i]
+  std::size_t interruptions = 0;        ///< of the next trial
   bool endedEarly = false;
   std::string endReason;
-  std::vector<std::string> notes;  ///< what a reader must know: cut lines, clocks that disagree
+  std::vector<std::string> notes;  ///< remarks for a reader: truncated lines, clocks that disagree
 
   bool complete() const { return !damage && !plan.empty() && answers.size() >= plan.size(); }
-  /// The trial that comes next; none when complete or ended early (until another session goes on).
+  /// The next trial; none if complete or ended early (until another session begins).
   const Trial* next() const;
 };
 
@@ -129,25 +131,25 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
 /// The file of a participant's journal.
 std::filesystem::path journalOf(const Study& study, const std::string& participant);
 
-/// One participant; nothing planned or answered where there is no journal yet. Failure: as replayJournal and
+/// Reads one participant; without plan and answers if there is no journal yet. Failure: as replayJournal and
 /// checkHead.
 Result<ParticipantRecord> readParticipant(const Study& study, const std::string& participant);
 
-/// All participants of a study by id; journals are read while they are written, too. One that cannot be used
-/// costs that person only: see ParticipantRecord::damage.
+/// Reads all participants of a study, sorted by id, even while journals are being written. An unusable
+/// journal affects that person only: see ParticipantRecord::damage.
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study);
 
-/// Returns true if an answer was felt: X and both others pressed through; in matching at least one other;
+/// Returns true if an answer was felt: X and both others were fully pressed; in matching at least one other;
 /// without an X, all choices.
 bool feltEnough(const Study& study, const Answer& answer);
 
 /// Cue, window: the press that counts, if there is one: the first from half an interval before the cue (or
-/// the window's beginning) to an interval after it. Whoever beats time with what comes before is not taken at
-/// their word.
+/// the window's beginning) to an interval after it. Earlier presses, such as tapping along with the beats, do
+/// not count.
 std::optional<double> countedPress(const Trial& trial, const std::vector<double>& presses_s);
 
-/// Returns true if the times of a trial's presses are possible: finite, rising, and one that counts; of
-/// tapping at least two. None in other studies.
+/// Returns true if the times of a trial's presses are possible: finite, increasing, and with one that counts;
+/// for tapping at least two. In other studies there must be none.
 bool pressesFit(const Study& study, const Trial& trial, const Answer& answer);
 
 /// Returns true if a rating lies on the study's scale, or if there is none in a study without a scale.
@@ -155,21 +157,22 @@ bool ratingFits(const Study& study, const std::optional<double>& rating);
 
 // ---- what is compared next, where that follows from the answers so far: thresholds (next_level.cpp)
 
-/// What is believed of one button's threshold in one mode after a participant's first `answers` answers;
+/// The posterior of one button's threshold in one mode after a participant's first `answers` answers;
 /// practice does not count.
 QuestPlus beliefAfter(const Study& study, const ParticipantRecord& record, std::size_t reference,
                       FeedbackMode mode, std::size_t answers);
 
-/// Puts the most informative level into the next trial. Does nothing if nothing adapts or all is answered.
+/// Sets the most informative level in the next trial. Does nothing if the study does not adapt or all trials
+/// are answered.
 void placeNextLevel(const Study& study, ParticipantRecord& record);
 
 // ---- lines
 
-/// Makes the text of journal lines, alone. `chain` is the hash so far and is updated.
+/// Text of journal lines, without writing them. `chain` is the hash so far and is updated.
 std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
                        std::string& chain);
-/// The header of a journal that a browser keeps, as JSON without route and chain, which the browser adds. No
-/// head lies beside it, and how many began before it is unknown.
+/// The header of a journal stored by a browser, as JSON without route and chain, which the browser adds. It
+/// has no head file, and the number of participants before it is unknown.
 std::string headerOfBrowser(const Study& study, const ParticipantRecord& participant);
 std::string consentLine(const ConsentDecision& decision, std::string& chain);
 std::string sessionLine(const SessionStart& session, std::size_t cutBytes, std::string& chain);
@@ -177,16 +180,16 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& ans
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain);
 std::string endLine(const std::string& reason, std::string& chain);
 
-/// State of the journal when it was last written, in a file beside it: a journal whose end was cut off or
-/// that was emptied is noticed. Written before the first line, which says so, and after each line; after a
-/// crash between the two it is one line behind.
+/// File beside a journal with its state when it was last written, so that a truncated or emptied journal is
+/// detected. Written before the first line, which mentions it, and after each line; after a crash between the
+/// two it is one line behind.
 std::filesystem::path headFileOf(const std::filesystem::path& journal);
 Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, const std::string& chain);
-/// Failure unreadableInput: the journal holds less than it held, or its head is gone. Journals begun before
-/// heads were kept have none.
+/// Failure unreadableInput: the journal contains less than before, or its head file is gone. Journals of
+/// versions without head files have none.
 Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines);
 
-/// The hash after those lines.
+/// The hash after these lines.
 std::string chainAfter(const std::vector<std::string>& lines);
 
 }  // namespace detent::playback

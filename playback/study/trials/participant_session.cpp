@@ -18,9 +18,9 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double quickest_s = 4, slowest_s = 12;  // K&L, Table 1: 150 trials in 20.9 min, 8.4 s each
+constexpr double quickest_s = 4, slowest_s = 12;  // K&L, Table 1: 150 trials in 20.9 min are 8.4 s each
 
-/// Simulated and real answers do not share a journal: a table over both would mean nothing.
+/// Simulated and real answers must not be in one journal, because a table over both would be meaningless.
 Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& start) {
   for (const SessionStart& before : record.sessions) {
     const bool simulated = before.kind == SessionKind::simulated;
@@ -39,7 +39,7 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
   return Done{};
 }
 
-/// Journals of other participants. Failure: one of them has an id that sounds the same.
+/// Number of other participants. Failure: one of them has an id that sounds the same.
 Result<std::size_t> othersIn(const Study& study, const std::string& participant) {
   if (!study.sites.empty())
     return Failure{FailureCode::wrongUsage, study.folder.string(), "",
@@ -84,10 +84,10 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
   Result<ParticipantRecord> record = replayJournal(study, participant, text.lines, {}, file.string());
   if (!record) return record.failure();
   if (text.lines.empty()) {
-    const Result<PlannedPlaces> places = placesOf(study.folder);
-    if (!places) return places.failure();
+    const Result<PlannedPlaces> plan = placesOf(study.folder);
+    if (!plan) return plan.failure();
     record->begunBefore = *others;
-    record->place = placeOf(*places, participant, *others);
+    record->place = placeOf(*plan, participant, *others);
     record->plan = planTrials(study, participant, record->place);
     placeNextLevel(study, *record);
   }
@@ -97,7 +97,7 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
   session.file_ = file;
   session.lines_ = text.lines.size();
   if (text.lines.empty()) {
-    // Before the first line: one that says that a head lies beside it must be right after a crash, too.
+    // Before the first line, because that mentions the head file, which must be valid even after a crash.
     if (Result<Done> ok = writeHead(file, 0, {}); !ok) return ok.failure();
     std::string chain = session.chain_;
     const std::string line = headerLine(study, session.record_, start.route, chain);
@@ -122,9 +122,8 @@ Result<Done> ParticipantSession::append(const std::string& line, const std::stri
   Result<Done> written = journal_.append(line);
   if (!written) return written;
   chain_ = chain;
-  (void)writeHead(
-      file_, ++lines_,
-      chain_);  // the answer is kept: a head that is behind costs nothing but what it would notice
+  (void)writeHead(file_, ++lines_,
+                  chain_);  // the answer is stored; an outdated head file only detects less
   return written;
 }
 
@@ -181,8 +180,8 @@ double wallClock_s() {
 }
 
 Listening listeningOf(const Study& study, const std::string& participant,
-                      const std::optional<Listening>& asked) {
-  if (asked) return *asked;
+                      const std::optional<Listening>& requested) {
+  if (requested) return *requested;
   if (const Result<std::vector<ParticipantRecord>> records = readParticipants(study))
     for (const ParticipantRecord& record : *records)
       if (record.participant == participant && !record.sessions.empty())
@@ -192,7 +191,7 @@ Listening listeningOf(const Study& study, const std::string& participant,
 
 namespace {
 
-/// The number behind "NAME=", if it lies in the range.
+/// The number after "NAME=", if it is within the range.
 std::optional<double> numberBehind(const std::string& text, std::string_view name, double low, double high) {
   if (!text.starts_with(name)) return {};
   double value = 0;
@@ -202,19 +201,19 @@ std::optional<double> numberBehind(const std::string& text, std::string_view nam
   return value;
 }
 
-/// Returns true if a simulated person errs. A threshold of `threshold`: QUEST+'s model of people, in the
-/// middle of its slopes and lapses.
+/// Returns true if the simulated person errs. With a `threshold`, by QUEST+'s model of people with a medium
+/// slope and lapse.
 bool errs(const Study& study, const Trial& trial, const Simulation& simulation, StudyRandom& random) {
   double share = simulation.errorRate;
   if (simulation.threshold > 0) {
     constexpr double slope = 2, lapse = 0.02;
-    share = 1 - shareToldApart(levelOf(study, trial.choices[trial.target])->increase, simulation.threshold,
-                               slope, lapse);
+    share = 1 - shareCorrect(levelOf(study, trial.choices[trial.target])->increase, simulation.threshold,
+                             slope, lapse);
   }
   return drawShare(random) < share;
 }
 
-/// Each button is a step better than the one named before it; errors put it anywhere on the scale.
+/// Rates each button a step better than the one before it; an error gives a random rating.
 void simulateRating(const Study& study, const Trial& trial, const Simulation& simulation, StudyRandom& random,
                     Answer& answer) {
   const bool anything = simulation.guess || errs(study, trial, simulation, random);
@@ -230,7 +229,7 @@ void simulateRating(const Study& study, const Trial& trial, const Simulation& si
   answer.rating = magnitude ? std::exp2(static_cast<double>(step)) : static_cast<double>(step + 1);
 }
 
-/// Index of the choice that is X, or has more.
+/// Index of the choice that is X, or that has more.
 std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simulation& simulation,
                             StudyRandom& random) {
   const std::size_t choices = trial.choices.size();
@@ -244,7 +243,7 @@ std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simula
   return (trial.target + 1 + drawBelow(random, choices - 1)) % choices;
 }
 
-/// Presses of someone with that place and spread: what timingOf takes people to do, without drift and lapses.
+/// Random presses of a person with this place and spread: the model of timingOf, without drift and lapses.
 std::vector<double> drawnPresses(const StudyDesign& d, const Trial& trial, const PressTiming& timing,
                                  StudyRandom& random) {
   if (d.task == TimingTask::tapping) {
@@ -258,16 +257,17 @@ std::vector<double> drawnPresses(const StudyDesign& d, const Trial& trial, const
     const double press_s = timing.place * carrier_s + timing.spread * trial.interval_s * drawNormal(random);
     if (countedPress(trial, {press_s})) return {press_s};
   }
-  return {};  // of such a person no press counts
+  return {};  // such a person makes no press that counts
 }
 
-/// The trial as a person works on it, at made-up times.
+/// A trial as a person would do it, with invented times.
 Answer simulatedTiming(const Study& study, const Trial& trial, const Simulation& simulation,
                        StudyRandom& random) {
-  constexpr double look_s = 0.01, longestTrial_s = 200;
+  constexpr double step_s = 0.01, longestTrial_s = 200;
   const double shown_s = static_cast<double>(trial.number - 1) * (quickest_s + slowest_s) / 2;
-  TimingDesk desk(study, trial, 0, shown_s);
-  const double zero_s = study.design.task == TimingTask::tapping ? shown_s + quickest_s / 4 : desk.cue_s();
+  TimingDesk controller(study, trial, 0, shown_s);
+  const double zero_s =
+      study.design.task == TimingTask::tapping ? shown_s + quickest_s / 4 : controller.cue_s();
   std::vector<double> presses;
   if (const auto given = simulation.presses_s.find(trial.number); given != simulation.presses_s.end())
     presses = given->second;
@@ -276,12 +276,12 @@ Answer simulatedTiming(const Study& study, const Trial& trial, const Simulation&
   double now_s = shown_s;
   for (const double press_s : presses) {
     now_s = std::max(now_s, zero_s + press_s);
-    if (desk.over(now_s)) break;
-    desk.pressed(zero_s + press_s, 0);
-    desk.felt({1, 1, 0, 0});
+    if (controller.over(now_s)) break;
+    controller.pressed(zero_s + press_s, 0);
+    controller.felt({1, 1, 0, 0});
   }
-  while (!desk.over(now_s) && now_s < shown_s + longestTrial_s) now_s += look_s;
-  if (desk.fault() == TimingFault::none) return desk.answer(now_s);
+  while (!controller.over(now_s) && now_s < shown_s + longestTrial_s) now_s += step_s;
+  if (controller.fault() == TimingFault::none) return controller.answer(now_s);
   Answer nothing;  // record() refuses it
   nothing.trial = trial.number;
   return nothing;
@@ -297,7 +297,7 @@ std::optional<PressTiming> timingNamed(const std::string& text) {
   return PressTiming{*place, *spread};
 }
 
-/// CSV `trial,press_s`, by trial and rising.
+/// Reads CSV `trial,press_s`, sorted by trial.
 Result<Simulation> pressesFrom(const std::string& file, const std::string& name) {
   constexpr std::size_t mostBytes = 16 << 20;
   const Result<std::string> text = readTable(file, mostBytes, "Give a CSV of presses");

@@ -26,10 +26,10 @@ Failure brokenPlan(const fs::path& file, Message problem) {
 }  // namespace
 
 PlannedPlaces usualPlaces(std::size_t people) {
-  PlannedPlaces places;
+  PlannedPlaces plan;
   for (std::size_t i = 1; i <= people; ++i)
-    places.participants.push_back((i < 10 ? "P0" : "P") + std::to_string(i));
-  return places;
+    plan.participants.push_back((i < 10 ? "P0" : "P") + std::to_string(i));
+  return plan;
 }
 
 Result<PlannedPlaces> placesOf(const fs::path& folder) {
@@ -44,7 +44,7 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
       return brokenPlan(file, Message("is not a plan this program knows"));
     PlannedPlaces plan;
     plan.listsSha256 = json.at("lists_sha256");
-    if (json.contains("unfinished")) {  // plans of version 1 before it was kept
+    if (json.contains("unfinished")) {  // plans of version 1 may lack it
       const auto rule = unfinishedRules.value(json.at("unfinished").get<std::string>());
       if (!rule) return brokenPlan(file, Message("has a rule for the unfinished that does not exist"));
       plan.unfinished = *rule;
@@ -56,21 +56,21 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
   }
 }
 
-std::size_t placeOf(const PlannedPlaces& places, const std::string& participant, std::size_t begunBefore) {
-  const auto at = std::find(places.participants.begin(), places.participants.end(), participant);
-  if (at == places.participants.end()) return places.participants.size() + begunBefore;
-  return static_cast<std::size_t>(at - places.participants.begin());
+std::size_t placeOf(const PlannedPlaces& plan, const std::string& participant, std::size_t begunBefore) {
+  const auto at = std::find(plan.participants.begin(), plan.participants.end(), participant);
+  if (at == plan.participants.end()) return plan.participants.size() + begunBefore;
+  return static_cast<std::size_t>(at - plan.participants.begin());
 }
 
-Result<Done> writePlaces(const fs::path& folder, const PlannedPlaces& places, const std::string& studySha256,
+Result<Done> writePlaces(const fs::path& folder, const PlannedPlaces& plan, const std::string& studySha256,
                          const std::string& listsSha256) {
-  const Json plan{{"format", "detent-study-plan"},
+  const Json json{{"format", "detent-study-plan"},
                   {"version", planVersion},
                   {"study_sha256", studySha256},
                   {"lists_sha256", listsSha256},
-                  {"unfinished", unfinishedRules.word(places.unfinished)},
-                  {"participants", places.participants}};
-  return writeTextFileAtomically((folder / planFile).string(), jsonText(plan, 2) + "\n");
+                  {"unfinished", unfinishedRules.word(plan.unfinished)},
+                  {"participants", plan.participants}};
+  return writeTextFileAtomically((folder / planFile).string(), jsonText(json, 2) + "\n");
 }
 
 }  // namespace detent::playback

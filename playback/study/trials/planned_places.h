@@ -14,35 +14,35 @@
 
 namespace detent::playback {
 
-/// Rule for participants who did not answer all trials. The report shows both results; this one comes first
-/// and is tested.
+/// Rule for participants who did not answer all trials. The report shows both results; the one by this rule
+/// comes first and is tested.
 enum class Unfinished : std::uint8_t {
-  leftOut,  ///< unless nobody has finished yet
+  leftOut,  ///< not counted, unless nobody has finished yet
   counted
 };
 inline constexpr auto unfinishedRules =
     named<Unfinished>({{"left-out", Unfinished::leftOut}, {"counted", Unfinished::counted}});
 
-/// Plan made before the first person comes: `plan.json` of the study's folder. Which list of trials a
-/// participant gets is a matter of their place.
+/// Plan made before the first person comes: `plan.json` of the study's folder. A participant's place
+/// determines their list of trials.
 struct PlannedPlaces {
-  std::vector<std::string> participants;  ///< by place
+  std::vector<std::string> participants;  ///< in the order of their places
   Unfinished unfinished = Unfinished::leftOut;
-  std::string listsSha256 = {};  ///< as read; empty where no lists were made
+  std::string listsSha256 = {};  ///< as read; empty if no lists were made
 };
 
-/// P01, P02, ... for so many people.
+/// The ids P01, P02, ... for this many people.
 PlannedPlaces usualPlaces(std::size_t people);
 
-/// The places a study was planned with; none: they follow from who comes first. Failure unreadableInput:
-/// plan.json is broken.
+/// The planned places of a study; empty if there is no plan, so that places follow from the order of arrival.
+/// Failure unreadableInput: plan.json is broken.
 Result<PlannedPlaces> placesOf(const std::filesystem::path& folder);
-/// The place of somebody who begins now, `begunBefore` others having begun; behind all planned ones where
-/// they are not among them.
-std::size_t placeOf(const PlannedPlaces& places, const std::string& participant, std::size_t begunBefore);
+/// The place of a participant who begins after `begunBefore` others: the planned one, or one behind all
+/// planned ones.
+std::size_t placeOf(const PlannedPlaces& plan, const std::string& participant, std::size_t begunBefore);
 
-/// Writes plan.json. `studySha256`, `listsSha256`: of study.json, of all lists in order.
-Result<Done> writePlaces(const std::filesystem::path& folder, const PlannedPlaces& places,
+/// Writes plan.json. `studySha256` is of study.json, `listsSha256` of all lists in order.
+Result<Done> writePlaces(const std::filesystem::path& folder, const PlannedPlaces& plan,
                          const std::string& studySha256, const std::string& listsSha256);
 
 }  // namespace detent::playback

@@ -89,10 +89,10 @@ GroupResult matchingFrom(const Json& json, std::vector<std::string>& wrong) {
                     " participants");
   }
   const auto each = json.at("right_per_participant").get<std::vector<std::size_t>>();
-  const std::size_t told = std::accumulate(each.begin(), each.end(), std::size_t{0});
-  if (each.size() == group.participantCount && told * printed != right * trials)
+  const std::size_t sum = std::accumulate(each.begin(), each.end(), std::size_t{0});
+  if (each.size() == group.participantCount && sum * printed != right * trials)
     wrong.push_back(group.condition + ": what the text tells of each participant adds up to at most " +
-                    fraction(told, trials) + " (" + percent({told, trials}) + "), not " +
+                    fraction(sum, trials) + " (" + percent({sum, trials}) + "), not " +
                     percent(printedRight));
   return group;
 }

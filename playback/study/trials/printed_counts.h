@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Results somebody printed: counts by pair without the trials behind them, such as K&L's Tables 1 and 2. The
-// same figures are computed from them as from answers, and they are checked against each other.
+// Published results: counts by pair without single trials, such as K&L's Tables 1 and 2. The same figures are
+// computed from them as from answers, and the counts are checked against each other.
 
 #include <filesystem>
 
@@ -12,7 +12,7 @@ namespace detent::playback {
 /// Returns true if a folder holds printed counts (counts.json) instead of a study.
 bool holdsPrintedCounts(const std::filesystem::path& folder);
 
-/// The printed counts as results without rows; where they do not add up, a warning says so. Failure
+/// The published counts as results without rows, with a warning if they do not add up. Failure
 /// unreadableInput: broken, or of another version.
 Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder);
 

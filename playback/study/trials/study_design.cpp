@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int studyVersion = 3;  // 1: see planTrials; before 3 every study had the paper's feel
+constexpr int studyVersion = 3;  // version 1: see planTrials; before 3 every study had the feel of the paper
 constexpr double stimulusRate_Hz = 48000;
 constexpr const char* buttonEnding = ".button.json";
 
@@ -34,13 +34,13 @@ Failure wrong(Subject subject, Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, std::move(subject), "", std::move(problem), remedy};
 }
 
-/// Failure of an option; a window names its own control instead.
+/// Failure about an option; a window names its own control instead.
 Failure wrongOption(const char* option, Message problem, const Message& remedy) {
   return wrong(Subject::option(option), std::move(problem), remedy);
 }
 
-Failure outside(const char* option, std::size_t asked, std::size_t least, std::size_t most) {
-  return wrongOption(option, Message("%1 lies outside %2 to %3", asked, least, most),
+Failure outside(const char* option, std::size_t value, std::size_t least, std::size_t most) {
+  return wrongOption(option, Message("%1 lies outside %2 to %3", value, least, most),
                      Message("Give a number inside"));
 }
 
@@ -72,8 +72,7 @@ Result<std::vector<StudyStimulus>> stimuliOf(const Study& study) {
   return stimuli;
 }
 
-/// Refuses quantities that the button does not have: without a jump no snap, without slopes no grain
-/// strength.
+/// Refuses quantities that the button does not have: snap needs a jump, grain strength needs slopes.
 Result<Done> checkLevelsDiffer(const Study& study) {
   const auto hashIn = [&](std::size_t button, FeedbackMode mode) {
     for (const StudyStimulus& s : study.stimuli)
@@ -145,7 +144,7 @@ Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file)
                     Message("Restore the file as it was made"));
 }
 
-/// The study of study.json; buttons without their files. Throws nlohmann's exceptions.
+/// The study in study.json, without the files of its buttons. Throws nlohmann's exceptions.
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
@@ -221,7 +220,7 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   return study;
 }
 
-/// The levels of a threshold study, made again of its buttons.
+/// Recreates the levels of a threshold study from its buttons.
 Result<Done> readLevels(Study& study, const Json& json) {
   if (study.design.kind != StudyKind::threshold) return Done{};
   const std::size_t given = study.buttons.size();
@@ -243,7 +242,7 @@ Result<Done> readLevels(Study& study, const Json& json) {
   return Done{};
 }
 
-/// The files of a study against what study.json says of them.
+/// Reads the study's files and compares them with study.json.
 Result<Done> readParts(Study& study, const Json& json) {
   for (const Json& entry : json.at("buttons")) {
     const std::string label = entry.at("label");
@@ -312,7 +311,7 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
     Result<Button> button = buttonFromJson(*text, file);
     if (!button) return button.failure();
     const std::string label = fileLabel(file);
-    if (!isUtf8(label))  // it stands in study.json, which names the study's own copy of the file
+    if (!isUtf8(label))  // the label is stored in study.json, and names the study's copy of the file
       return wrong(file, Message("has a name that is not UTF-8"), Message("Rename the file"));
     if (!labels.insert(label).second)
       return wrong(file, Message("is the second button called \"%1\"", label),
@@ -366,7 +365,7 @@ std::string spokenId(const std::string& id) {
   for (const char c : id) {
     if (c == '-' || c == '_') continue;
     const bool number = !spoken.empty() && spoken.back() >= '0' && spoken.back() <= '9';
-    if (c == '0' && !number) continue;  // leading zeros of a number
+    if (c == '0' && !number) continue;  // skips leading zeros of a number
     spoken += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   }
   return spoken;
@@ -383,7 +382,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task) {
     case StudyKind::matching:
       break;
     case StudyKind::sameDifferent:
-      return 20;  // half of them with one button twice
+      return 20;  // half of them with the same button twice
     case StudyKind::threshold:
       return 60;
     case StudyKind::rating:
@@ -396,7 +395,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task) {
 
 namespace {
 
-/// Returns true if the values lie within a range, each once, and are not too many.
+/// Returns true if all values are within a range, different, and not too many.
 bool eachOnceWithin(const std::vector<double>& values, double low, double high) {
   return !values.empty() && values.size() <= mostTimes &&
          std::set<double>(values.begin(), values.end()).size() == values.size() &&
@@ -469,13 +468,13 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
 
 Result<PressSound> pressSoundOf(const Study& study) {
   constexpr double longestSound_s = 5;
-  const StudySound& asked = study.design.sound;
+  const StudySound& settings = study.design.sound;
   PressSound sound;
-  sound.rendered = asked.source == renderedSound;
-  sound.level_dB = asked.level_dB;
-  sound.delay_s = asked.delay_ms / 1000;
-  if (sound.rendered || asked.source.empty()) return sound;
-  Result<SoundSamples> samples = readSoundFile(study.folder / asked.source, longestSound_s);
+  sound.rendered = settings.source == renderedSound;
+  sound.level_dB = settings.level_dB;
+  sound.delay_s = settings.delay_ms / 1000;
+  if (sound.rendered || settings.source.empty()) return sound;
+  Result<SoundSamples> samples = readSoundFile(study.folder / settings.source, longestSound_s);
   if (!samples) return samples.failure();
   sound.samples = std::move(samples->samples);
   sound.sampleRate_Hz = samples->sampleRate_Hz;

@@ -14,8 +14,9 @@ namespace {
 constexpr int levelsPerDecade = 12, decades = 2;
 constexpr double smallestIncrease = 0.01;
 constexpr double eventHeadroom =
-    0.5;  // strong jumps are near full scale: half of it leaves room for the double
-constexpr std::size_t fewestLevels = 13;  // to a tenth: nobody's threshold is surely below that
+    0.5;  // strong jumps are near full scale; half of it leaves room for the double
+constexpr std::size_t fewestLevels =
+    13;  // up to a tenth: a shorter range might end below the threshold of everybody
 
 Result<Button> raised(const Button& button, LevelQuantity quantity, double increase) {
   switch (quantity) {
@@ -27,7 +28,7 @@ Result<Button> raised(const Button& button, LevelQuantity quantity, double incre
       return scaleSnapRatios(button, 1 + increase);
     case LevelQuantity::eventSize:
     case LevelQuantity::grainStrength:
-      break;  // of the vibration: see raised() of settings
+      break;  // quantities of the vibration are changed by raised() of the settings
   }
   return button;
 }
@@ -40,14 +41,14 @@ std::string levelLabel(const std::string& label, double increase) {
   return label + text;
 }
 
-/// Whole in three figures, so that files and tables show what was felt.
+/// Rounded to three digits, so that files and tables show the actual value.
 double usualIncrease(int step) {
   const double exact = smallestIncrease * std::pow(10.0, double(step) / levelsPerDecade);
   const double unit = std::pow(10.0, std::floor(std::log10(exact)) - 2);
   return std::round(exact / unit) * unit;
 }
 
-/// Returns true if the vibration has room for it: at full scale more is not felt.
+/// Returns true if the vibration can be increased; at full scale an increase could not be felt.
 bool hasRoom(const Study& study, std::size_t button) {
   for (const FeedbackMode mode : study.design.modes) {
     const Result<PreparedProgram> program = programFor(study, button, mode);

@@ -34,12 +34,12 @@ std::string tsvField(std::string text) {
   return text.empty() ? "n/a" : text;
 }
 
-/// Seconds with the microsecond as the last digit.
+/// Seconds with six decimals.
 std::string seconds(double s) { return formatted("%.6f", s); }
 
 std::string intervalText(const Interval& i) { return formatted("%.1f-%.1f", 100 * i.low, 100 * i.high); }
 
-/// Blanks behind, or before, up to so many letters.
+/// Pads with blanks on the right (or left) to at least this width.
 std::string left(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, widthOf(text)), ' ');
 }
@@ -190,7 +190,7 @@ Json jsonOf(const StudyResults& results, const GroupResult& g) {
           {"confusion", g.confusion}};
 }
 
-/// Additional columns of a kind's rows.
+/// Additional columns for one kind of study.
 struct KindColumn {
   const char* name;
   const char* description;
@@ -218,7 +218,7 @@ std::vector<KindColumn> kindColumns(StudyKind kind) {
   return {};
 }
 
-/// Columns of a study whose presses are heard.
+/// Columns for a study with sound of presses.
 std::string soundFields(const StudyResults& results, const char* between, bool names) {
   const StudySound& sound = results.sound;
   std::string text;
@@ -231,7 +231,7 @@ std::string soundFields(const StudyResults& results, const char* between, bool n
 }
 
 std::string taskName(const StudyResults& results) {
-  std::string task;  // BIDS: letters and digits only
+  std::string task;  // for BIDS: only letters and digits
   for (const char c : results.study)
     if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')) task += c;
   return task.empty() ? "study" : task;
@@ -253,7 +253,7 @@ Result<Done> makeFolder(const std::filesystem::path& folder) {
                  Message("Check the folder, its rights and the free space")};
 }
 
-/// 1 or 0; nothing where nothing is right or wrong.
+/// 1 or 0; `nothing` for kinds without a right answer.
 std::string correctness(StudyKind kind, const TrialRow& row, const char* nothing) {
   return !hasRightAnswer(kind) ? nothing : row.correct ? "1" : "0";
 }

@@ -105,20 +105,21 @@ std::string table2Html(const StudyResults& results, const GroupResult& group) {
     for (std::size_t first = 0; first < second; ++first) text += table2Cell(pairResult(group, first, second));
     text += "</tr>\n";
   }
-  const bool told = std::any_of(group.pairs.begin(), group.pairs.end(),
-                                [](const PairResult& pair) { return pair.failCount.has_value(); });
+  const bool hasFailCounts = std::any_of(group.pairs.begin(), group.pairs.end(),
+                                         [](const PairResult& pair) { return pair.failCount.has_value(); });
   return text +
-         (told ? "<caption>* light: one participant failed the ABX test of the pair; ** dark: two or "
-                 "more.</caption>"
-               : "<caption>Which pairs' tests were failed is not told.</caption>") +
+         (hasFailCounts
+              ? "<caption>* light: one participant failed the ABX test of the pair; ** dark: two or "
+                "more.</caption>"
+              : "<caption>Which pairs' tests were failed is not told.</caption>") +
          "</table></section>\n";
 }
 
 constexpr double barsWidth = 430, barHeight = 14, barStep = 24;
-constexpr double letterWidth = 7.5, besideBars = 16;  // of the chart's 12 px letters
+constexpr double letterWidth = 7.5, besideBars = 16;  // for the chart's 12 px letters
 constexpr std::size_t barLabelBytes = 16;             // of one of the two
 
-/// A scale's end that leaves room for the longest interval: 5, 10, 20, 50 or 100 %.
+/// End of the scale with room for the longest interval: 5, 10, 20, 50 or 100 %.
 double scaleEnd(const GroupResult& group) {
   double highest = 0;
   for (const PairResult& pair : group.pairs) highest = std::max(highest, pair.wilson.high);
@@ -233,7 +234,7 @@ std::string confusionHtml(const StudyResults& results, const GroupResult& group)
 }
 
 /// Caption of the rank correlation; empty if there are too few pairs for an order.
-std::string rankCaption(const std::vector<double>& told, const std::vector<double>& found) {
+std::string rankCaption(const std::vector<double>& predicted, const std::vector<double>& found) {
   constexpr std::size_t fewest = 3;
   if (found.size() < fewest) return {};
   return formattedHtml(
@@ -241,18 +242,18 @@ std::string rankCaption(const std::vector<double>& told, const std::vector<doubl
       "%.3f, pairs permuted). What is found "
       "scatters by itself: a perfect forecast of the paper's noisy group would reach about "
       "0.74.</caption>",
-      spearman(told, found), found.size(), spearmanP(told, found));
+      spearman(predicted, found), found.size(), spearmanP(predicted, found));
 }
 
 std::string foretoldTable(const StudyResults& results, const GroupResult& group,
                           const std::vector<ForetoldPair>& foretold) {
-  std::vector<double> found, told;
+  std::vector<double> found, predicted;
   std::string lines;
   for (const ForetoldPair& pair : foretold) {
     const PairResult* seen = pairResult(group, pair.first, pair.second);
     if (seen == nullptr || pair.mode != group.mode) continue;
     found.push_back(rateOf(seen->errors));
-    told.push_back(pair.errorRate);
+    predicted.push_back(pair.errorRate);
     lines += "<tr>" + htmlCell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
              htmlCell(formattedHtml("%.1f", pair.dPrime)) + "<td class=\"words\">" +
              escapedForMarkup(pair.verdict) + "</td>" +
@@ -263,7 +264,7 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
   return "<section><h2>Foretold and found: " + escapedForMarkup(group.condition) +
          "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th class=\"words\">Foretold</th>"
          "<th>Errors found</th><th class=\"words\">What differs</th></tr>\n" +
-         lines + rankCaption(told, found) + "</table></section>\n";
+         lines + rankCaption(predicted, found) + "</table></section>\n";
 }
 
 std::string comparisons(const StudyResults& results) {
@@ -318,7 +319,7 @@ std::string pageBeginning(const std::string& title, const std::string& bodyClass
 std::string resultsPage(const StudyResults& results, const std::vector<ForetoldPair>& foretold) {
   const std::string warning = band(results);
   std::string text = pageBeginning(results.study, warning.empty() ? "" : "banded");
-  // The head of a table is printed on every page and keeps the band's place free.
+  // A table's head is printed on every page, which keeps the place for the warning free.
   if (!warning.empty())
     text += "<div class=\"band\">" + warning +
             "</div>\n<table class=\"sheet\"><thead><tr><td></td></tr></thead><tbody><tr><td>\n";

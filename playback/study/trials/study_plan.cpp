@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double level = 0.05, planPercent = 100;
-constexpr std::array<std::size_t, 8> peopleAsked{6, 8, 9, 10, 12, 16, 20, 30};
+constexpr std::array<std::size_t, 8> peopleCounts{6, 8, 9, 10, 12, 16, 20, 30};
 
 std::size_t mostChoices(const std::vector<Trial>& trials) {
   std::size_t most = 0;
@@ -47,7 +47,7 @@ FigureTable table(const std::string& key, const std::string& title, const std::s
 
 // ---- power
 
-/// One person and one pair: exact, by the rule that is printed later.
+/// One person and one pair: exact, by the rule that the report uses.
 FigureTable oneTest(const Study& study) {
   constexpr std::array<double, 6> shares{0.6, 0.7, 0.8, 0.9, 0.95, 0.99};
   FigureTable power = table(
@@ -70,9 +70,9 @@ FigureTable oneTest(const Study& study) {
   return power;
 }
 
-/// Rows of people, columns of differences.
+/// Adds a row per number of people, with a column per difference.
 FigureTable byPeople(FigureTable power, const std::vector<DrawDifference>& differences, double atLevel) {
-  for (const std::size_t people : peopleAsked) {
+  for (const std::size_t people : peopleCounts) {
     std::vector<FigureCell> row{static_cast<double>(people)};
     for (const DrawDifference& draw : differences)
       row.emplace_back(planPercent * signFlipPower(people, draw, atLevel));
@@ -110,7 +110,7 @@ void addPower(FigureTable& power, const std::string& description) {
   }
 }
 
-/// Two conditions of the same people: modes, or what else the researcher varies.
+/// Two conditions of the same people: modes, or another factor that the researcher varies.
 FigureTable twoConditions(const Study& study) {
   const std::size_t trials = countedTrials(study) / study.design.modes.size();
   FigureTable power = table("two_conditions", "Two conditions with the same people differ, % of times",
@@ -129,8 +129,9 @@ FigureTable twoConditions(const Study& study) {
 /// the largest does not.
 FigureCell peopleFor(const DrawDifference& draw, double atLevel) {
   constexpr double wanted = 0.8;
-  constexpr std::size_t studies = 1000;  // twenty cells, and a neighbour in the table is no fault
-  for (const std::size_t people : peopleAsked)
+  // few, because there are twenty cells and a result of the neighbouring row does no harm
+  constexpr std::size_t studies = 1000;
+  for (const std::size_t people : peopleCounts)
     if (signFlipPower(people, draw, atLevel, studies) >= wanted) return static_cast<double>(people);
   return {};
 }
@@ -139,7 +140,7 @@ FigureTable peopleNeeded(const Study& study) {
   const std::size_t cells = countedTrials(study) / study.design.modes.size() / study.design.trials;
   FigureTable needed = table("people_needed", "People needed to find such a difference in 80 of 100 studies",
                              "As above, by trials for each pair (or button) and mode; -: more than " +
-                                 std::to_string(peopleAsked.back()) + ".",
+                                 std::to_string(peopleCounts.back()) + ".",
                              {{"trials", "trials", 0, "for each pair (or button) and mode"}});
   addPower(needed, "people");
   for (const std::size_t trials : std::set<std::size_t>{5, 10, 20, study.design.trials}) {
@@ -152,16 +153,16 @@ FigureTable peopleNeeded(const Study& study) {
   return needed;
 }
 
-/// Differences that people scatter about normally, in hundredths of their standard deviation.
+/// Normally distributed differences between people, in hundredths of their standard deviation.
 DrawDifference normalAround(double standardDeviations) {
   return [=](StudyRandom& random) {
     constexpr double steps =
-        20;  // a twentieth of a standard deviation: finer changes nothing that is printed
+        20;  // in twentieths of a standard deviation; finer steps do not change the printed values
     return static_cast<int>(std::lround(steps * (standardDeviations + drawNormal(random))));
   };
 }
 
-/// Two buttons on a scale, or two thresholds.
+/// Two buttons on a rating scale, or two thresholds.
 FigureTable twoMeans(const std::string& title, const std::string& unit, const std::vector<double>& values,
                      const std::function<double(double)>& inDeviations, const std::string& assumed,
                      std::size_t comparisons) {
@@ -234,11 +235,11 @@ std::vector<FigureTable> thresholdPower() {
       1)};
 }
 
-/// Precision of a laboratory's two figures: half the width of their 95 % intervals over people. `people` and
-/// `trials` of each.
+/// Precision of a laboratory's two figures: half the width of their 95 % intervals over people, for numbers
+/// of `people` and `trials`.
 FigureTable timingPrecision(const Study& study) {
   const StudyDesign& d = study.design;
-  // Between people, and of one press: about what practised people do (Lee & Oulasvirta, CHI 2016;
+  // Spread between people, and of one press: typical of practised people (Lee & Oulasvirta, CHI 2016;
   // docs/reference/press-forecast.md).
   constexpr double spread = 0.09, spreadVaries = 0.25, tapsOfRun = 50;
   const bool tapping = d.task == TimingTask::tapping, window = d.task == TimingTask::window;
@@ -265,7 +266,7 @@ FigureTable timingPrecision(const Study& study) {
   const double interval_s = std::accumulate(d.intervals_s.begin(), d.intervals_s.end(), 0.0) /
                             static_cast<double>(d.intervals_s.size());
   const double ofOne = window ? spread * interval_s / window_s : spread;
-  for (const std::size_t people : peopleAsked) {
+  for (const std::size_t people : peopleCounts) {
     for (const std::size_t trials :
          std::set<std::size_t>{std::max<std::size_t>(d.trials / 2, 1), d.trials, 2 * d.trials}) {
       const double presses = static_cast<double>(trials) * (tapping ? tapsOfRun : 1);
@@ -499,7 +500,7 @@ std::string foretoldSection(const Study& study, const std::vector<ForetoldPair>&
   if (foretold.empty()) return {};
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < study.givenButtons(); ++i) labels.push_back(study.buttons[i].label);
-  FigureTable told = table(
+  FigureTable forecastTable = table(
       "foretold", "Foretold",
       "By Detent's model of what is felt; how far it can be believed: docs/reference/predicted-confusion.md.",
       {{"pair", "pair", 0, ""},
@@ -507,9 +508,9 @@ std::string foretoldSection(const Study& study, const std::vector<ForetoldPair>&
        {"verdict", "foretold", 0, ""},
        {"reason", "what differs", 0, ""}});
   for (const ForetoldPair& pair : foretold)
-    told.rows.push_back({pairName(labels, pair.first, pair.second), std::string(nameOf(pair.mode)),
-                         pair.verdict, pair.reason});
-  return tableMarkup(told);
+    forecastTable.rows.push_back({pairName(labels, pair.first, pair.second), std::string(nameOf(pair.mode)),
+                                  pair.verdict, pair.reason});
+  return tableMarkup(forecastTable);
 }
 
 }  // namespace
@@ -553,7 +554,7 @@ Result<Done> writeUnfinishedRule(const Study& study, Unfinished rule) {
   return writePlaces(study.folder, *plan, study.sha256, plan->listsSha256);
 }
 
-Result<std::string> writeLists(const Study& study, const PlannedPlaces& places, const fs::path& folder) {
+Result<std::string> writeLists(const Study& study, const PlannedPlaces& plan, const fs::path& folder) {
   if (Result<Done> ok = checkNobodyBegan(study); !ok) return ok.failure();
   std::error_code error;
   fs::create_directories(folder, error);
@@ -562,15 +563,15 @@ Result<std::string> writeLists(const Study& study, const PlannedPlaces& places, 
                    Message("cannot be made (%1)", error.message()),
                    Message("Check the folder above it and its rights")};
   std::string all;
-  for (std::size_t place = 0; place < places.participants.size(); ++place) {
-    const std::string& id = places.participants[place];
+  for (std::size_t place = 0; place < plan.participants.size(); ++place) {
+    const std::string& id = plan.participants[place];
     const std::string csv = listCsv(study, id, place);
     all += csv;
     if (Result<Done> ok = writeTextFileAtomically((folder / (id + ".csv")).string(), csv); !ok)
       return ok.failure();
   }
   const std::string sha256 = sha256Hex(all);
-  if (Result<Done> ok = writePlaces(study.folder, places, study.sha256, sha256); !ok) return ok.failure();
+  if (Result<Done> ok = writePlaces(study.folder, plan, study.sha256, sha256); !ok) return ok.failure();
   return sha256;
 }
 

@@ -31,7 +31,7 @@ std::string conditionOf(const Study& study, const TrialRow& row) {
   return conditionOf(study, row.listening, row.mode, row.kind);
 }
 
-/// The compared buttons of a trial, and how often each was replayed.
+/// Fills in the compared buttons of a trial, and how often each was replayed.
 void describe(const Study& study, const Trial& trial, const Answer& answer, TrialRow& row) {
   const StudyKind kind = study.design.kind;
   const std::vector<std::size_t> buttons = feltButtons(study.design, trial);
@@ -87,7 +87,7 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
   return row;
 }
 
-/// Rows of one answer: of tapping as many as taps that follow another.
+/// Rows for one answer; for tapping one row per tap after the first.
 std::vector<TrialRow> rowsOfAnswer(const Study& study, const ParticipantRecord& participant, std::size_t at) {
   TrialRow row = rowOf(study, participant, at);
   if (study.design.kind != StudyKind::timing) return {std::move(row)};
@@ -105,7 +105,7 @@ std::vector<TrialRow> rowsOfAnswer(const Study& study, const ParticipantRecord& 
     if (!tapping) break;
     rows.back().onset_s = onset_s + answer.firstPress_s + answer.presses_s[rows.size()];
     rows.back().answer_s = press.press_s.value_or(0);
-    row.felt.clear();  // of the run, not of each tap
+    row.felt.clear();  // stored for the run, not for each tap
   }
   return rows;
 }
@@ -161,7 +161,7 @@ void addPairs(GroupResult& group, const Study& study, const Rows& rows, const Di
       tests.push_back({id, count, passed, atMost(count, 0.5), 1});
     }
     PairResult pair = pairResult(first, second, sum);
-    if (rule.mostErrors) {  // so few trials that nobody can pass are no test
+    if (rule.mostErrors) {  // with so few trials that nobody can pass, there is no test
       pair.failCount = static_cast<std::size_t>(
           std::count_if(tests.begin(), tests.end(), [](const AbxTest& t) { return !t.discriminates; }));
       group.fails.trials += tests.size();
@@ -172,7 +172,7 @@ void addPairs(GroupResult& group, const Study& study, const Rows& rows, const Di
   }
 }
 
-/// Holm over the pairs and modes of each participant.
+/// Adjusts p by Holm over the pairs and modes of each participant.
 void adjustTests(std::vector<GroupResult>& groups) {
   std::map<std::string, std::vector<AbxTest*>> byParticipant;
   for (GroupResult& group : groups)
@@ -255,7 +255,8 @@ void adjust(std::vector<GroupComparison>& comparisons) {
   for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].adjusted = adjusted[i];
 }
 
-/// Every two conditions of the same kind of session, over all trials and, of abx, pair by pair.
+/// Comparisons of all pairs of conditions of the same kind of session, over all trials and, for abx, also
+/// pair by pair.
 std::vector<GroupComparison> comparisonsOf(const Study& study, const std::vector<GroupResult>& groups,
                                            const std::map<std::string, Rows>& rows) {
   std::vector<GroupComparison> whole, byPair;
@@ -331,7 +332,7 @@ std::vector<FigureTable> tablesOf(const Study& study, const std::vector<Particip
   return {};
 }
 
-/// Figures of some participants.
+/// Figures for a set of participants.
 struct Figures {
   std::vector<GroupResult> groups;
   std::vector<GroupComparison> comparisons;
@@ -381,7 +382,8 @@ std::string pairName(const std::vector<std::string>& labels, std::size_t first, 
 
 std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width) {
   const auto cut = [](const std::string& text, std::size_t length) {
-    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;  // no half letter
+    // does not divide a character
+    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;
     return text.substr(0, length);
   };
   std::vector<std::string> names;
@@ -396,7 +398,7 @@ std::vector<std::string> shortened(const std::vector<std::string>& labels, std::
   }
   if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) return names;
   for (std::size_t i = 0; i < names.size(); ++i)
-    names[i] = "~" + std::to_string(i + 1);  // a label is called so
+    names[i] = "~" + std::to_string(i + 1);  // if this is already a label
   return names;
 }
 
@@ -431,8 +433,8 @@ PairResult pairResult(std::size_t first, std::size_t second, const Count& errors
   return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, {}};
 }
 
-/// Every journal records how many there were when it was begun. The journal that was begun last cannot be
-/// missed.
+/// Every journal records how many existed when it was begun, so a missing one is detected, except the one
+/// begun last.
 std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants) {
   struct Site {
     std::size_t people = 0, most = 0;

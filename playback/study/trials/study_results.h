@@ -16,26 +16,26 @@ namespace detent::playback {
 struct TrialRow {
   std::string participant;
   std::size_t trial = 0;              ///< from 1, practice not counted
-  std::string pair;                   ///< "A-B" in the study's order; matching: X; else: the button
+  std::string pair;                   ///< "A-B" in the study's order; matching: X; others: the button
   std::size_t first = 0, second = 0;  ///< abx: the pair's buttons; matching: X twice
   std::string a, b;                   ///< labels of the two choices; matching, scales: empty
-  std::string x, answer;              ///< labels; threshold: x has more; rating: x is empty
-  std::size_t answered = 0;           ///< the button that was answered
-  bool correct = false;               ///< nothing in rating
+  std::string x, answer;              ///< labels; threshold: x is the one with more; rating: x is empty
+  std::size_t answered = 0;           ///< the chosen button
+  bool correct = false;               ///< no meaning in rating
   std::optional<double> level;        ///< threshold: by what share x has more
   std::optional<double> rating;       ///< of a scale
-  /// Timing: as study/statistics/press_timing.h has them. Of tapping each tap is a row.
+  /// Timing: as defined in study/statistics/press_timing.h. For tapping each tap is a row.
   std::optional<double> interval_s, window_s, press_s, pressWithin_s;
-  std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA of all choices together
+  std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA counts all choices together
   std::vector<std::string> choices;                      ///< labels in the order shown
-  std::vector<Felt> felt;  ///< of each choice, then of X; none in journals that did not keep it
+  std::vector<Felt> felt;  ///< of each choice, then of X; none in journals that did not record it
   double onset_s = 0, firstPress_s = 0, answer_s = 0;
   FeedbackMode mode = FeedbackMode::full;
   SessionKind kind = SessionKind::real;
   Listening listening = Listening::quiet;
   std::size_t interruptions = 0;
-  /// "quiet", "masked/click-only", "quiet/simulated", "quiet/rehearsal/repeated": listening; mode where the
-  /// study has several; what is not a real answer; repeated after the device was lost.
+  /// "quiet", "masked/click-only", "quiet/simulated", "quiet/rehearsal/repeated": listening; the mode if the
+  /// study has several; the kind of an answer that is not real; repeated after the device was lost.
   std::string condition;
   bool finished = false;  ///< the participant has answered all trials
   std::string site;       ///< of a merged study; else empty
@@ -46,8 +46,8 @@ std::string conditionOf(const Study& study, const RecordedAnswer& answer, Feedba
 
 std::vector<TrialRow> rowsOf(const Study& study, const std::vector<ParticipantRecord>& participants);
 
-/// "At most one error in ten": the most errors that guessing stays under `level` with. Nothing where even no
-/// error proves nothing.
+/// "At most one error in ten": the largest number of errors that guessing stays below with a probability of
+/// at most `level`. Nothing if even zero errors prove nothing.
 struct DiscriminationRule {
   std::optional<std::size_t> mostErrors;
   double p = 1;  ///< exact probability that guessing does as well
@@ -57,7 +57,7 @@ DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 /// Sensitivity of all participants together, d' by both strategies.
 struct Sensitivity {
   double differencing = 0, independent = 0;
-  double low = 0, lowIndependent = 0;  ///< from the lower end (97.5 %) of the share correct
+  double low = 0, lowIndependent = 0;  ///< from the lower limit (97.5 %) of the share correct
   /// True if no error was made: the first two then assume half an error (Macmillan & Kaplan, Psychological
   /// Bulletin 1985).
   bool noError = false;
@@ -69,7 +69,7 @@ struct AbxTest {
   std::string participant;
   Count errors;
   bool discriminates = false;
-  double p = 1;         ///< exact, of so few errors by guessing
+  double p = 1;         ///< exact probability of so few errors by guessing
   double adjusted = 1;  ///< Holm over the participant's pairs and modes
 };
 
@@ -79,15 +79,16 @@ struct PairResult {
   Count errors;                       ///< of all participants
   Interval wilson, clopperPearson;
   Sensitivity sensitivity;
-  std::vector<AbxTest> tests;            ///< complete ones: all trials of the pair answered
-  std::optional<std::size_t> failCount;  ///< of the tests, those not passed; none: printed counts do not tell
+  std::vector<AbxTest> tests;  ///< complete ones: all trials of the pair answered
+  /// number of tests that were not passed; none: unknown for printed counts
+  std::optional<std::size_t> failCount;
 };
 /// K&L's shading of Table 2 as marks: one participant failed *, two or more **.
 const char* markOf(const PairResult& pair);
-/// A pair's figures from its count; tests and fails are still to be added.
+/// A pair's figures from its count; tests and failCount are added later.
 PairResult pairResult(std::size_t first, std::size_t second, const Count& errors);
 
-/// One column of Table 1: everyone who listened, felt and answered in the same way.
+/// One column of Table 1: all who listened, felt and answered in the same way.
 struct GroupResult {
   std::string condition;  ///< without "repeated"
   Listening listening = Listening::quiet;
@@ -102,16 +103,17 @@ struct GroupResult {
   double meanTime_min = 0, sdTime_min = 0;          ///< per participant, sum of the answers' times
   std::vector<PairResult> pairs;                    ///< abx
   std::vector<std::vector<std::size_t>> confusion;  ///< matching: [x][answer]
-  Count fails;                                      ///< abx tests not passed, of all complete ones
+  Count fails;                                      ///< ABX tests not passed, of all complete ones
 };
 
-/// Two conditions against each other. Where the same people were in both, each is their own control.
+/// Comparison of two conditions. If the same people were in both, each is their own control.
 struct GroupComparison {
   std::string first, second;        ///< conditions
   std::optional<std::size_t> pair;  ///< index into pairsOf(); none: all trials
-  bool paired = false;           ///< signs of persons flipped; else participants permuted between the groups
-  std::size_t participants = 0;  ///< paired: in both; else in either
-  double difference = 0;         ///< of the error rates, first minus second; paired: mean over persons
+  /// by flipping signs of persons; otherwise by permuting participants between the groups
+  bool paired = false;
+  std::size_t participants = 0;      ///< paired: people in both; otherwise in either
+  double difference = 0;             ///< of the error rates, first minus second; paired: mean over persons
   std::optional<Interval> interval;  ///< paired: 95 % of the mean
   double p = 1;
   double adjusted = 1;  ///< Holm: over all conditions, or over all pairs and conditions
@@ -119,36 +121,35 @@ struct GroupComparison {
 
 struct StudyResults {
   std::string study;
-  std::string source;  ///< of printed counts: where they stand
+  std::string source;  ///< of printed counts: their source
   StudyKind kind = StudyKind::abx;
   StudySound sound;                          ///< of presses
-  std::string feel;                          ///< "clear", "paper"; empty: printed counts do not tell
+  std::string feel;                          ///< "clear", "paper"; empty: unknown for printed counts
   std::vector<std::string> labels, names;    ///< of the buttons
   std::vector<TrialRow> rows;                ///< of all participants
   std::vector<GroupResult> groups;           ///< abx, matching
   std::vector<GroupComparison> comparisons;  ///< abx, matching
   std::vector<FigureTable> tables;           ///< all but abx
   bool unfinishedLeftOut = false;            ///< of groups, comparisons and tables
-  /// The same with the unfinished where they are left out, without them where they count; empty where there
-  /// are none.
+  /// The same by the other rule for unfinished participants; empty if there are none.
   std::vector<GroupResult> otherGroups;
   std::vector<FigureTable> otherTables;
   DiscriminationRule rule;
   std::size_t trialsPerTest = 0;
-  std::vector<std::string> warnings;  ///< what a reader must know before believing a figure
+  std::vector<std::string> warnings;  ///< information that a reader needs to judge the figures
   bool anySimulated = false, anyRehearsal = false;
 };
 
-/// A pair as it is named: "A-B"; where a label holds that hyphen "A | B", or numbers, so that no two pairs
-/// are named alike.
+/// Name of a pair: "A-B"; "A | B" if a label contains that hyphen, or numbers, so that no two pairs have the
+/// same name.
 std::string pairName(const std::vector<std::string>& labels, std::size_t first, std::size_t second);
 
-/// Labels of at most `width` bytes (4 or more) that still differ: those that would come out alike get a
-/// number, "Long~2".
+/// Labels shortened to at most `width` bytes (4 or more) that still differ: equal ones get a number,
+/// "Long~2".
 std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width);
 
-/// Participants of a study whose journals were taken out of the folder, as far as later journals tell, in
-/// words.
+/// Participants of a study whose journals were removed from the folder, as far as later journals show, as
+/// sentences.
 std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants);
 
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants);

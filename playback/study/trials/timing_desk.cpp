@@ -9,10 +9,11 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double lead_s = 0.5;    // of quiet before anything moves or sounds
-constexpr int beatsOfCue = 4;     // three to know the interval by
-constexpr double settle_s = 0.5;  // after the press: the finger comes up
-/// A held key repeats every 30 to 40 ms on most systems; two fingers in turn do not come below 50 ms.
+constexpr double lead_s = 0.5;    // silence before anything moves or sounds
+constexpr int beatsOfCue = 4;     // three beats to learn the interval, and the cue
+constexpr double settle_s = 0.5;  // after the press, for the finger to come up
+/// Presses closer than this are not made by a finger: a held key repeats every 30 to 40 ms on most systems,
+/// and even two alternating fingers are slower than 50 ms.
 constexpr double closest_s = 0.05;
 constexpr std::size_t closeInRow = 3;
 

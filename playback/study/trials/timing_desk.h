@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One timed trial as it is worked on: when its cue comes, which presses count, when it is over. The same for
-// a terminal, a window and a simulation. Every time comes from the caller's steady clock. One thread.
+// Controller of one timed trial: when its cue comes, which presses count, when it is over. The same for a
+// terminal, a window and a simulation. All times are of the caller's steady clock. One thread.
 
 #include <cstdint>
 #include <vector>
@@ -13,8 +13,8 @@ namespace detent::playback {
 /// The reason why a trial has to begin again.
 enum class TimingFault : std::uint8_t {
   none,
-  noPress,  ///< none that counts; tapping: fewer than two
-  /// presses so close upon another that no finger made them: a key that repeats, a contact that chatters
+  noPress,  ///< no press that counts; tapping: fewer than two
+  /// presses in such fast succession that no finger made them: a repeating key, a bouncing contact
   held,
   notFelt  ///< the button under the finger was not pressed
 };
@@ -23,26 +23,27 @@ const char* nameOf(TimingFault fault);
 
 class TimingDesk {
  public:
-  /// The trial is shown at `now_s`; the stretch of work began at `began_s`.
+  /// The trial is shown at `now_s`; the period of work began at `began_s`.
   TimingDesk(const Study& study, const Trial& trial, double began_s, double now_s);
 
   const Trial& trial() const { return *trial_; }
-  /// Cue: four beats an interval apart, the last of them is the cue. Window: one, at which the target has
-  /// come to its window. Tapping: none.
+  /// Cue: four beats, one interval apart, of which the last is the cue. Window: one, when the target reaches
+  /// its window. Tapping: none.
   const std::vector<double>& beats_s() const { return beats_s_; }
   /// Cue, window: the last beat.
   double cue_s() const { return beats_s_.back(); }
-  /// Window: the target's way, 0 where it sets out an interval before the window, 1 where the window begins.
+  /// Window: position of the target, 0 where it starts, one interval before the window, and 1 where the
+  /// window begins.
   double wayAt(double time_s) const { return 1 + (time_s - cue_s()) / trial_->interval_s; }
 
-  /// A press was made at `at_s`; the readings it rests on lay `within_s` apart. In order.
+  /// Records a press at `at_s`, measured between readings `within_s` apart. Calls in order of time.
   void pressed(double at_s, double within_s);
-  /// The finger's movements with the button since the last call.
+  /// Records the finger's movements with the button since the last call.
   void felt(const Felt& more) { felt_.add(more); }
-  /// Seconds of a run that are left; tapping, from the first press on.
+  /// Remaining seconds of a run; for tapping counted from the first press.
   double left_s(double now_s) const;
 
-  /// Returns true if nothing that comes now counts any more.
+  /// Returns true if further events do not count any more.
   bool over(double now_s) const;
   /// Fault of the trial, once it is over.
   TimingFault fault() const;

@@ -19,12 +19,12 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t mostBytes = 64 << 20;
-constexpr double longest_s = 60;  ///< of intervals and windows, and how far from its cue a press may lie
+constexpr double longest_s = 60;  ///< of intervals and windows, and of a press from its cue
 constexpr double timingPercent = 100;
 constexpr std::array<std::string_view, 3> emptyPressWords{"", "NA",
-                                                          "null"};  // the words are R's and jsPsych's
+                                                          "null"};  // the names that R and jsPsych use
 
-/// Columns a task needs, in the order read.
+/// Columns that a task needs, in the order in which they are read.
 std::vector<std::string_view> columnsOf(TimingTask task) {
   switch (task) {
     case TimingTask::cue:
@@ -136,14 +136,14 @@ FigureCell timingCell(const std::optional<double>& value) {
 }
 FigureCell timingCount(std::size_t n) { return static_cast<double>(n); }
 
-/// Everybody's trials with one button in one condition; both are empty if a file names neither.
+/// All trials with one button in one condition; both are empty if a file names neither.
 struct TimingCell {
   std::string button, condition;
   TimedPeople presses;
-  std::map<std::string, double> within_s;  ///< by person: the median of how exactly their presses were timed
+  std::map<std::string, double> within_s;  ///< by person: median time accuracy of their presses
 };
 
-/// One person in one timingCell.
+/// One person in one cell.
 struct FittedPerson {
   std::string participant;
   std::size_t trials = 0, presses = 0, outside = 0;
@@ -163,11 +163,11 @@ std::vector<FittedPerson> fitted(const TimedPeople& presses) {
   return people;
 }
 
-/// The way in which the rows of a table name their timingCell: not at all, for a file that names neither; by
-/// the title, if all are of one condition.
+/// Way in which the rows of a table identify their cell: not at all, for a file without button and condition;
+/// by the title, if all are of one condition.
 struct Naming {
   bool button = false, condition = false;
-  std::string title;  ///< behind a table's own
+  std::string title;  ///< appended to the table's own title
 };
 
 Naming namingOf(const std::vector<TimingCell>& cells) {
@@ -234,7 +234,7 @@ FigureTable peopleTable(TimingTask task, const std::vector<TimingCell>& cells,
                     {{"participant", "participant", 0, "id"}},
                     {}};
   addCellColumns(table, naming);
-  const bool file = !naming.button;  // of a study every row has a press
+  const bool file = !naming.button;  // in a study every row has a press
   table.columns.push_back({"trials", "trials", 0, "rows"});
   if (file) table.columns.push_back({"presses", "presses", 0, "of those, with a press"});
   for (const FigureColumn& column :
@@ -268,7 +268,7 @@ FigureTable peopleTable(TimingTask task, const std::vector<TimingCell>& cells,
   return table;
 }
 
-/// Difference of two fits of one person. Spreads, and places of tapping, are ratios: hundredths more.
+/// Difference of two fits of one person. Spreads, and places of tapping, are ratios: given as per cent more.
 double differenceOf(TimingTask task, bool ofPlace, const PersonTiming& first, const PersonTiming& second) {
   if (ofPlace && task != TimingTask::tapping)
     return timingPercent * (first.timing.place - second.timing.place);
@@ -329,7 +329,7 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// Cells by condition, then button.
+/// Cells ordered by condition, then button.
 std::vector<TimingCell> cellsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
   struct Person {
     std::vector<TimedPress> trials;

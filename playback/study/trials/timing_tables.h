@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A laboratory's own timed presses, of a study or from a CSV file: fitted person by person
-// (study/statistics/press_timing.h), put into tables.
+// A laboratory's timed presses, from a study or a CSV file: fitted person by person
+// (study/statistics/press_timing.h) and put into tables.
 
 #include <string>
 #include <vector>
@@ -23,21 +23,21 @@ struct TimedPeople {
   std::vector<Person> people;  ///< by id
 };
 
-/// CSV with a header that names participant, interval_s, window_s and press_s (each task needs its own), one
-/// row for each trial in order; an empty press_s is a trial without a press. Failure unreadableInput names
-/// file and line: a column is missing, a value is outside its range, or nobody has enough presses.
+/// Reads CSV with a header that names participant, interval_s, window_s and press_s (those that the task
+/// needs), one row per trial in order; an empty press_s is a trial without a press. Failure unreadableInput
+/// names file and line: a column is missing, a value is outside its range, or nobody has enough presses.
 Result<TimedPeople> readTimedPresses(const std::string& file, TimingTask task);
 
-/// The laboratory's two figures, then everybody's. Only those with enough presses are fitted; the others'
-/// figures stay empty. Failure unreadableInput: of nobody.
+/// The laboratory's two figures, then those of each person. Only people with enough presses are fitted; the
+/// figures of others stay empty. Failure unreadableInput: nobody could be fitted.
 Result<std::vector<FigureTable>> timingTables(const TimedPeople& presses, const std::string& file);
 
-/// One trial of a study's journals, in the form for fitting: one press, none, or (tapping) each tap behind
-/// the one before.
+/// One trial of a study's journals, in the form for fitting: one press, none, or (tapping) each tap relative
+/// to the one before.
 std::vector<TimedPress> timedPresses(const StudyDesign& design, const Trial& trial, const Answer& answer);
 
-/// The same tables of a timing study, by button and condition; then every two buttons against each other,
-/// participants as their own control. Nobody needs to have enough presses.
+/// The same tables for a timing study, by button and condition; then all pairs of buttons compared, with
+/// participants as their own control. Works even if nobody has enough presses.
 std::vector<FigureTable> timingTables(const Study& study, const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One trial as it is worked on: what was tried, how often, how long, and whether it may be answered. The same
-// for a terminal and a window. Times come from the caller's steady clock. One thread.
+// Controller of one trial: which stimuli were tried, how often and how long, and whether the trial may be
+// answered. The same for a terminal and a window. Times are of the caller's steady clock. One thread.
 
 #include "playback/study/trials/participant_record.h"
 
@@ -9,18 +9,18 @@ namespace detent::playback {
 
 class TrialDesk {
  public:
-  /// The trial is shown at `now_s`; the stretch of work began at `began_s`.
+  /// The trial is shown at `now_s`; the period of work began at `began_s`.
   TrialDesk(const Study& study, const Trial& trial, double began_s, double now_s);
 
   const Trial& trial() const { return *trial_; }
-  /// X is a real switch: it is handed over, not played.
+  /// Returns true if X is a real switch, which is handed over, not played.
   bool physicalTarget() const { return physical_; }
   /// Number of that switch, from 1, in the study's order.
   std::size_t physicalNumber() const { return trial_->choices[trial_->target] + 1; }
 
   /// Returns true if there is an X to be felt.
   bool hasX() const { return asksForX(study_->design.kind) && !physical_; }
-  /// Index of the stimulus under the finger: the choices, and X behind them.
+  /// Index of the stimulus X, which follows the choices.
   std::size_t slotOfX() const { return trial_->choices.size(); }
   std::size_t buttonIn(std::size_t slot) const {
     return feltButtons(study_->design, *trial_)[slot == slotOfX() ? trial_->target : slot];
@@ -28,7 +28,7 @@ class TrialDesk {
 
   /// Records that this stimulus is under the finger now.
   void tried(std::size_t slot, double now_s);
-  /// The finger's movements since tried() or the last call, with the stimulus under it.
+  /// Records the finger's movements with the stimulus under it, since tried() or the last call.
   void felt(const Felt& more);
   const Felt& feltOf(std::size_t slot) const { return felt_[slot]; }
 

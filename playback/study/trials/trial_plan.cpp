@@ -14,9 +14,10 @@ namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-constexpr std::size_t trialsBetweenBreaks = 50;  // K&L, Table 1: 8.4 s a trial, so a rest every seven minutes
+// K&L, Table 1: 8.4 s per trial, so a rest every seven minutes
+constexpr std::size_t trialsBetweenBreaks = 50;
 
-/// Half true, half false, in a random order; of an odd number the last one by chance.
+/// Half true and half false in random order; for an odd number the last one is random.
 std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
   std::vector<char> sides;
   for (std::size_t i = 0; i + 1 < count; i += 2) sides.insert(sides.end(), {0, 1});
@@ -25,18 +26,18 @@ std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
   return {sides.begin(), sides.end()};
 }
 
-/// One trial of a pair: the button that is alpha, and the side of X.
+/// Arrangement of one trial of a pair: which button is alpha, and the side of X.
 struct PlanCell {
   bool swapped = false;    ///< the pair's second button is alpha
   bool secondIsX = false;  ///< X is the pair's second button
   std::size_t side() const { return swapped == secondIsX ? 0 : 1; }
 };
 
-/// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the
-/// side that `toTheRight` says; three of the four.
+/// Every cell a quarter of the time. Of the remaining trials, one is random; two differ in both, with X on
+/// the side that `toTheRight` states; three are three of the four.
 std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
   constexpr std::array<PlanCell, 4> all{
-      {{false, false}, {true, true}, {false, true}, {true, false}}};  // left, left, right, right
+      {{false, false}, {true, true}, {false, true}, {true, false}}};  // X on the left, left, right, right
   std::vector<PlanCell> cells;
   for (std::size_t i = 0; i + 4 <= count; i += 4) cells.insert(cells.end(), all.begin(), all.end());
   std::vector<PlanCell> rest(all.begin(), all.end());
@@ -50,7 +51,7 @@ std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom&
   return cells;
 }
 
-/// Plan of studies of version 1: sides balanced, X left to chance.
+/// Arrangement in studies of version 1: sides balanced, X random.
 std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   const std::vector<bool> swapped = balanced(count, random), right = balanced(count, random);
   std::vector<PlanCell> cells;
@@ -58,7 +59,7 @@ std::vector<PlanCell> balancedSides(std::size_t count, StudyRandom& random) {
   return cells;
 }
 
-/// Pairs of this participant: the next ones of a list that all participants go through in turn.
+/// Pairs of this participant: the next ones in a list that all participants go through in turn.
 std::vector<Pair> pairsFor(const Study& study, std::size_t place, StudyRandom& random) {
   std::vector<Pair> pairs = pairsOf(study.buttons.size());
   const std::size_t each = study.design.pairsEach;
@@ -126,7 +127,7 @@ std::vector<Trial> thresholdTrials(const Study& study, FeedbackMode mode, StudyR
   return trials;
 }
 
-/// The rated things: buttons, or pairs of them.
+/// The items to be rated: buttons, or pairs of them.
 std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std::vector<Pair>& pairs) {
   std::vector<std::vector<std::size_t>> things;
   if (study.design.scale == RatingScale::pairwise) {
@@ -137,7 +138,7 @@ std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std:
   return things;
 }
 
-/// Trials in rounds: all once, in a new order each time.
+/// Trials in rounds: all items once, in a new order each time.
 std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
                                 StudyRandom& random) {
   const std::vector<std::vector<std::size_t>> things = ratedThings(study, pairs);
@@ -159,7 +160,7 @@ std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pai
   return trials;
 }
 
-/// Possible times of a trial: every window at every interval; tapping has none.
+/// Possible times of a trial: every window at every interval; none for tapping.
 std::vector<std::pair<double, double>> timesOf(const StudyDesign& d) {
   if (d.task == TimingTask::tapping) return {{0, 0}};
   std::vector<std::pair<double, double>> times;
@@ -176,7 +177,7 @@ std::vector<Trial> timingTrials(const Study& study, FeedbackMode mode, StudyRand
   std::vector<std::pair<double, double>> times = timesOf(study.design);
   for (std::size_t button = 0; button < study.givenButtons(); ++button) {
     for (std::size_t i = 0; i < study.design.trials; ++i) {
-      if (i % times.size() == 0) shuffle(times, random);  // those that are left over are drawn
+      if (i % times.size() == 0) shuffle(times, random);  // the remaining trials get random times
       Trial trial;
       trial.mode = mode;
       trial.choices = {button};
@@ -205,8 +206,8 @@ std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, 
   return abxTrials(study, pairs, mode, random);
 }
 
-/// Each mode as often first, second and last as the number of people allows: rotated from one to the next,
-/// then the same backwards.
+/// Order of the modes, so that each is equally often first, second and last as far as the number of people
+/// allows: rotated from one person to the next, then the same backwards.
 std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t place) {
   std::vector<FeedbackMode> modes = study.design.modes;
   if (study.version == 1) return modes;
@@ -215,7 +216,7 @@ std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t place) {
   return modes;
 }
 
-/// Shuffled, with a rest at the beginning of a block and within long ones.
+/// Adds shuffled trials, with a rest at the beginning of a block and within long ones.
 void addBlock(const Study& study, std::vector<Trial> block, StudyRandom& random, std::vector<Trial>& trials) {
   if (study.version > 1) {
     if (study.design.kind != StudyKind::rating) shuffle(block, random);

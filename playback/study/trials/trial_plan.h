@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The list of trials of one participant: a function of the study's seed, the participant's id and place, so
-// that it can be made again after a crash and by anyone who doubts it.
+// The list of trials of one participant: it depends only on the study's seed and the participant's id and
+// place, so that it can be recreated after a crash, and verified by anyone.
 
 #include <cstddef>
 #include <string>
@@ -11,16 +11,16 @@
 
 namespace detent::playback {
 
-/// One question: which of `choices` is X? Are the two the same? Threshold: which has more? Rating: how is it,
-/// or which is better? Timing: press, at a time.
+/// One question: which of `choices` is X? Are the two the same? Threshold: which has more? Rating: how good
+/// is it, or which is better? Timing: press, at a time.
 struct Trial {
-  std::size_t number = 0;  ///< from 1, practice first, as the participant meets them
-  bool practice = false;   ///< answered and kept, but counted nowhere
+  std::size_t number = 0;  ///< from 1, practice first, in the order shown
+  bool practice = false;   ///< answered and stored, but not counted
   FeedbackMode mode = FeedbackMode::full;
   std::vector<std::size_t> choices;  ///< indices of buttons in the order shown; abx: alpha, beta
   std::size_t target = 0;  ///< which of `choices` X is, or has more; same/different: 1 if they differ; else 0
   double interval_s = 0, window_s = 0;  ///< timing: cue and window; else 0
-  bool breakBefore = false;             ///< the participant rests first, as long as they like
+  bool breakBefore = false;             ///< the participant may rest before it, as long as they like
 };
 
 /// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and

@@ -29,10 +29,11 @@ struct PlotStyle {
   double xShiftOfFirst = 0;  ///< of the first x label, off its tick
   int oddLabel = -1;         ///< an x label with another text than its value
   std::string oddText;
-  std::string xUnit, yUnit;   ///< behind each number, with the blank before it
-  bool forceOnRight = false;  ///< the force axis with its ticks, numbers and title, which reads downwards
-  bool titleAtLeft = false;   ///< the force axis' title all the same
-  bool travelAtTop = false;   ///< the travel axis' tick labels and title
+  std::string xUnit, yUnit;  ///< behind each number, with the blank before it
+  bool forceOnRight =
+      false;                 ///< draws the force axis at the right: ticks, numbers and a title read downwards
+  bool titleAtLeft = false;  ///< with forceOnRight, keeps the force axis' title at the left
+  bool travelAtTop = false;  ///< draws the travel axis' tick labels and title at the top
 };
 
 /// Grey canvas on which lines cover parts of pixels.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of every kind become upright opaque RGB; what is no picture is refused with a sentence that helps.
+// Pictures of every file format become upright opaque RGB. A file that is no picture is refused with a
+// message that says what to do.
 
 #include <array>
 #include <filesystem>

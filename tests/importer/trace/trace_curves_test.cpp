@@ -1511,7 +1511,8 @@ TEST_CASE("A line in dashes of a paler shade of the other's ink is a curve of it
     CHECK(apart(ofColor(*traces, colour).points_px, down) < 0.5);
     const Curve& paler = ofColor(*traces, shade).points_px;
     CHECK(apart(paler, up) < 1);
-    // On the bottom-out it lies at the other's edge, where it is not seen, and goes up with it.
+    // On the bottom-out the paler line is hidden by the edge of the other one; its trace must still go up to
+    // the end.
     CHECK(std::ranges::min(paler, {}, &Point::y).y == Approx(up.back().y).margin(10));
   }
 }

@@ -622,8 +622,8 @@ TEST_CASE("loop: two leaders side by side are no strokes", "[trace_loop]") {
 }
 
 TEST_CASE("loop: a path that climbs a leader is sent back", "[trace_loop]") {
-  // Ends short of the frame, with a thick, long, nearly upright leader: along it there are more pixels than
-  // beyond.
+  // The loop ends before the frame does. The leader is thick, long and nearly upright, so that more pixels
+  // lie along it than along the rest of the stroke, and the tracer is tempted to follow it.
   Plot plot(640, 560, 4);
   const Loop loop{through({{0.02, 0.3}, {0.25, 0.45}, {0.5, 0.35}, {0.8, 0.45}}),
                   through({{0.02, 0.15}, {0.3, 0.25}, {0.45, 0.1}, {0.8, 0.40}})};

@@ -49,7 +49,7 @@ std::array<Played, 2> playedSnippets(const std::array<int, snippetMemoryBytes>& 
   return played;
 }
 
-/// Falling bursts over a slope, as presses are.
+/// A path like that of presses: a slowly varying level with bursts that decay, at random places.
 LevelPath drawn(std::mt19937& bits, std::size_t cells, std::size_t bursts) {
   LevelPath path{std::vector<double>(cells, 0), {}};
   for (std::size_t i = 0; i < cells; ++i) path.levels[i] = 2 + 1.5 * std::sin(static_cast<double>(i) / 40);

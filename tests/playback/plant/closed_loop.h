@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A force engine on the independent world: once per period a reading travels to it and a force travels back.
+// A force engine that is connected to a simulated device, whose physics shares no code with the engine: once
+// per period the engine gets a reading and returns a force.
 
 #include <cstdint>
 #include <memory>

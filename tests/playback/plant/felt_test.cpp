@@ -156,8 +156,8 @@ TEST_CASE("300 devices: what is claimed to be stable is within 15 % of what is",
 namespace {
 
 struct PressEnergy {
-  double finger_mJ = 0;   ///< least the finger had put in, from rest to rest
-  double claimed_mJ = 0;  ///< lowest balance the engine says
+  double finger_mJ = 0;   ///< lowest energy that the finger has put in between the rest before and after
+  double claimed_mJ = 0;  ///< lowest energy balance that the engine reports
   std::string what;
 };
 

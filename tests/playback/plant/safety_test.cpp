@@ -354,7 +354,7 @@ class Watch {
  public:
   Watch(double max_N, double period_s, bool ramp) : max_N_(max_N), period_s_(period_s), ramp_(ramp) {}
 
-  /// Gives what is wrong, or nothing.
+  /// Returns the requirement that this force violates, in words; empty: none.
   std::string after(const playback::ForceReading& reading, double force_N) {
     const bool bad = !reading.fresh || !std::isfinite(reading.position_mm);
     bad_ = bad ? bad_ + 1 : 0;

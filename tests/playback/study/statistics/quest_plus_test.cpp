@@ -27,7 +27,7 @@ ThresholdEstimate estimated(const Observer& observer, std::size_t trials, StudyR
   QuestPlus quest(levels);
   for (std::size_t i = 0; i < trials; ++i) {
     const std::size_t level = quest.nextLevel();
-    const double share = shareToldApart(levels[level], observer.threshold, observer.slope, observer.lapse);
+    const double share = shareCorrect(levels[level], observer.threshold, observer.slope, observer.lapse);
     quest.take({level, drawShare(random) < share});
   }
   return quest.estimate();
@@ -36,10 +36,10 @@ ThresholdEstimate estimated(const Observer& observer, std::size_t trials, StudyR
 }  // namespace
 
 TEST_CASE("a threshold is told in 75 of 100, and a difference without end as often as nobody lapses") {
-  CHECK(shareToldApart(0.1, 0.1, 3, 0) == Approx(0.75));
-  CHECK(shareToldApart(0.1, 0.1, 1, 0.04) == Approx(0.73));
-  CHECK(shareToldApart(100, 0.1, 2, 0.05) == Approx(0.95));
-  CHECK(shareToldApart(1e-9, 0.1, 2, 0.05) == Approx(0.5));
+  CHECK(shareCorrect(0.1, 0.1, 3, 0) == Approx(0.75));
+  CHECK(shareCorrect(0.1, 0.1, 1, 0.04) == Approx(0.73));
+  CHECK(shareCorrect(100, 0.1, 2, 0.05) == Approx(0.95));
+  CHECK(shareCorrect(1e-9, 0.1, 2, 0.05) == Approx(0.5));
 }
 
 TEST_CASE("QUEST+ asks and believes what the reference program asks and believes") {
