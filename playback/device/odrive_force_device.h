@@ -39,8 +39,9 @@ class OdriveForceDevice : public ForceDevice {
   /// Removes the torque, sets the axis to idle, and restores every setting that was changed.
   ~OdriveForceDevice() override;
 
-  /// One question is in flight at a time, because an ODrive's answers carry no number: an answer that comes after its period is late, not
-  /// fresh, and while it is pending nothing else is requested. An answer that nobody requested is counted as repeated, never used.
+  /// Only one question is in flight at a time, because an ODrive's answers carry no number. An answer that
+  /// arrives after its period is late, not fresh; while it is missing, nothing else is requested. An answer that
+  /// was not requested is counted as repeated, never used.
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s) override;
