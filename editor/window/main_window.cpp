@@ -23,6 +23,7 @@
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/document/message_words.h"
 #include "editor/feel/feel_panel.h"
 #include "editor/files/document_files.h"
@@ -100,12 +101,6 @@ QScrollArea* scrolledArea(const char* name, const QString& title) {
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
   return area;
-}
-
-void bringUp(QWidget& window) {
-  window.show();
-  window.raise();
-  window.activateWindow();
 }
 
 }  // namespace

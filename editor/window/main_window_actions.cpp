@@ -69,6 +69,9 @@ void MainWindow::makeFileActions() {
   menu->addAction(action("trySample", tr("&Try a sample datasheet"),
                          tr("Import a sheet that comes with Detent, to see how it goes"),
                          QKeySequence("Ctrl+Alt+T"), [this] { files_->importSample(); }));
+  menu->addAction(action("importMany", tr("Import &many files…"),
+                         tr("Import files or a folder in the background, with a list of results"),
+                         QKeySequence("Ctrl+Alt+I"), [this] { files_->importMany(); }));
   recentMenu_ = menu->addMenu(tr("Open &recent"));
   recentMenu_->setObjectName("recentMenu");
   recentMenu_->setToolTipsVisible(true);
