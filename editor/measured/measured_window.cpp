@@ -63,12 +63,12 @@ QString joined(const QStringList& texts) {
 
 }  // namespace
 
-MeasuredWindow::MeasuredWindow(MeasuredPlaces context, QWidget* parent)
-    : QDialog(parent), places_(std::move(context)) {
+MeasuredWindow::MeasuredWindow(MeasuredContext context, QWidget* parent)
+    : QDialog(parent), context_(std::move(context)) {
   setObjectName("measuredWindow");
   setWindowTitle(tr("Measured switches"));
   setWindowFlag(Qt::WindowMinMaxButtonsHint);
-  table_.setUnits(places_.view.units());
+  table_.setUnits(context_.view.units());
   credits_ = wordsOf("measuredCredits");
   pages_ = new QStackedWidget;
   pages_->addWidget(emptyPage());
@@ -107,7 +107,7 @@ MeasuredWindow::MeasuredWindow(MeasuredPlaces context, QWidget* parent)
     progress_->setToolTip(file);
   });
   connect(&source_, &LibrarySource::opened, this, [this](const std::vector<Button>& buttons) {
-    const auto& act = comparing_ ? places_.compare : places_.open;
+    const auto& act = comparing_ ? context_.compare : context_.open;
     if (!buttons.empty() && act) act(buttons);
   });
   connect(&source_, &LibrarySource::failed, this, [this](const QString& sentence) {
@@ -116,7 +116,7 @@ MeasuredWindow::MeasuredWindow(MeasuredPlaces context, QWidget* parent)
     sayBusy(false);
     emit shown();
   });
-  connect(&places_.view, &ViewSettings::changed, this, &MeasuredWindow::followUnits);
+  connect(&context_.view, &ViewSettings::changed, this, &MeasuredWindow::followUnits);
   auto* find = new QShortcut(QKeySequence::Find, this);
   connect(find, &QShortcut::activated, this,
           [this] { filter_->findChild<QLineEdit*>("measuredWords")->setFocus(); });
@@ -178,9 +178,9 @@ QToolButton* MeasuredWindow::libraryButton() {
       new QAction(tr("&Datasheets too"), menu), "measuredPages",
       tr("Force graphs in PDF, SVG and pictures of the folders as well: some seconds for each page, once"));
   pages->setCheckable(true);
-  pages->setChecked(places_.settings.value("measured/pages", false).toBool());
+  pages->setChecked(context_.settings.value("measured/pages", false).toBool());
   connect(pages, &QAction::toggled, this, [this](bool on) {
-    places_.settings.setValue("measured/pages", on);
+    context_.settings.setValue("measured/pages", on);
     if (on && !folders().isEmpty()) indexAgain();
   });
   menu->addAction(pages);
@@ -302,7 +302,7 @@ QLayout* MeasuredWindow::actionRow() {
 }
 
 QWidget* MeasuredWindow::fullPage() {
-  filter_ = described(new FilterBar(places_.view.units()), "measuredFilter");
+  filter_ = described(new FilterBar(context_.view.units()), "measuredFilter");
   overlay_ = described(new OverlayPlot, "measuredOverlay", {}, tr("Curves of the switches chosen"));
   overlay_->setMinimumSize(leastPlot_px);
   auto* plots = new QSplitter(Qt::Vertical);
@@ -331,13 +331,13 @@ QWidget* MeasuredWindow::fullPage() {
 // ---- the library
 
 QString MeasuredWindow::database() const {
-  QString chosen = places_.settings.value("measured/library").toString();
+  QString chosen = context_.settings.value("measured/library").toString();
   if (!chosen.isEmpty()) return chosen;
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/switches.db");
 }
 
 QStringList MeasuredWindow::folders() const {
-  return places_.settings.value("measured/folders").toStringList();
+  return context_.settings.value("measured/folders").toStringList();
 }
 
 void MeasuredWindow::showEvent(QShowEvent* event) {
@@ -349,30 +349,30 @@ void MeasuredWindow::showEvent(QShowEvent* event) {
 
 void MeasuredWindow::openLibrary(const QString& path) {
   loadedOnce_ = true;
-  places_.settings.setValue("measured/library", path);
-  places_.settings.remove("measured/folders");
+  context_.settings.setValue("measured/library", path);
+  context_.settings.remove("measured/folders");
   sayBusy(true);
   source_.load(path);
 }
 
 void MeasuredWindow::askForFolder() {
-  if (const QString at = places_.folder(this); !at.isEmpty()) addFolder(at);
+  if (const QString at = context_.folder(this); !at.isEmpty()) addFolder(at);
 }
 
 void MeasuredWindow::askForLibrary() {
-  if (const QString at = places_.libraryFile(this); !at.isEmpty()) openLibrary(at);
+  if (const QString at = context_.libraryFile(this); !at.isEmpty()) openLibrary(at);
 }
 
 void MeasuredWindow::addFolder(const QString& folder) {
   QStringList all = folders();
   if (!all.contains(folder)) all << folder;
-  places_.settings.setValue("measured/folders", all);
+  context_.settings.setValue("measured/folders", all);
   indexAgain();
 }
 
 LibraryRequest MeasuredWindow::ofFolders() const {
   LibraryRequest request;
-  request.pages = places_.settings.value("measured/pages", false).toBool();
+  request.pages = context_.settings.value("measured/pages", false).toBool();
   request.index.database = QFile::encodeName(database()).toStdString();
   for (const QString& folder : folders())
     if (QFileInfo::exists(folder)) request.index.folders.push_back(QFile::encodeName(folder).toStdString());
@@ -443,7 +443,7 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
 // ---- requests
 
 void MeasuredWindow::followDocuments() {
-  if (places_.documents) listed_ = places_.documents();
+  if (context_.documents) listed_ = context_.documents();
   if (reference_ && !reference_->own &&
       std::ranges::find(listed_, reference_->document.data()) == listed_.end()) {
     reference_.reset();
@@ -594,7 +594,7 @@ void MeasuredWindow::showChosen() {
   const std::size_t count = entries.size();
   overlay_->show(std::move(entries),
                  reference_ && table_.ranked() ? std::optional(reference_->entry.shape) : std::nullopt,
-                 places_.view.units());
+                 context_.view.units());
   map_->setChosen(chosen_);
   likeThis_->setEnabled(count == 1);
   openButton_->setEnabled(count >= 1 && count <= comparedSwitches);
@@ -620,7 +620,7 @@ void MeasuredWindow::sayCredits() {
   const QString of = anyChosen ? joined(names) : tr("All shown");
   QString said = tr("%1. Credit: %2. Licence: %3.").arg(of, joined(credits), joined(licences));
   if (anyChosen && chosen_.size() == 1) {
-    said += spreadWords(table_.spreadOf(*chosen_.begin()), places_.view.units());
+    said += spreadWords(table_.spreadOf(*chosen_.begin()), context_.view.units());
     said += ratingWords(table_.ratingsOf(*chosen_.begin()));
   }
   if (doubtful > 0)
@@ -646,7 +646,7 @@ void MeasuredWindow::openChosen(bool compare) {
 
 void MeasuredWindow::writeReport() {
   if (!reference_ || !table_.ranked()) return;
-  const QString path = places_.page(this, reference_->name + QStringLiteral(".html"));
+  const QString path = context_.page(this, reference_->name + QStringLiteral(".html"));
   if (path.isEmpty()) return;
   std::vector<importer::FoundSwitch> found;
   for (const SwitchIndex each : table_.shown())
@@ -678,7 +678,7 @@ void MeasuredWindow::columnMenu(QPoint at) {
 }
 
 void MeasuredWindow::followUnits() {
-  const DisplayUnits& units = places_.view.units();
+  const DisplayUnits& units = context_.view.units();
   table_.setUnits(units);
   filter_->setUnits(units);
   followScales();

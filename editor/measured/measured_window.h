@@ -31,7 +31,7 @@
 namespace detent::editor {
 
 /// Access of the window to the tabs and the disk; tests put their own in. All of it outlives the window.
-struct MeasuredPlaces {
+struct MeasuredContext {
   ViewSettings& view;
   QSettings& settings;  ///< "measured/…": the library's file, its folders
   std::function<std::vector<ButtonDocument*>()> documents;
@@ -49,7 +49,7 @@ class MeasuredWindow : public QDialog {
   Q_OBJECT
 
  public:
-  explicit MeasuredWindow(MeasuredPlaces context, QWidget* parent = nullptr);
+  explicit MeasuredWindow(MeasuredContext context, QWidget* parent = nullptr);
 
   /// The open buttons that can be chosen changed.
   void followDocuments();
@@ -117,7 +117,7 @@ class MeasuredWindow : public QDialog {
   void followUnits();
   void followScales();
 
-  MeasuredPlaces places_;
+  MeasuredContext context_;
   MeasuredTable table_;
   std::set<SwitchIndex> chosen_;
   std::optional<Reference> reference_;

@@ -79,8 +79,8 @@ void HiddenWindows::bringBack() {
   hidden_.clear();
 }
 
-ExperimenterDialog::ExperimenterDialog(StudyPlaces places, QWidget* parent)
-    : QDialog(parent), places_(std::move(places)) {
+ExperimenterDialog::ExperimenterDialog(StudyContext context, QWidget* parent)
+    : QDialog(parent), context_(std::move(context)) {
   setObjectName("studyDesk");
   setWindowTitle(tr("Study: experimenter"));
   resize(onScreen(*this, {760, 560}));
@@ -204,7 +204,7 @@ void ExperimenterDialog::tell(const QString& text) { trouble_->setText(text); }
 // ---- the folder
 
 void ExperimenterDialog::makeNew() {
-  auto* maker = new StudyMaker(places_.documents(), places_.profileFile(), this);
+  auto* maker = new StudyMaker(context_.documents(), context_.profileFile(), this);
   maker->setAttribute(Qt::WA_DeleteOnClose);
   connect(maker, &StudyMaker::made, this, &ExperimenterDialog::showStudy);
   maker->open();
@@ -281,13 +281,13 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
   work.language = language_->currentData().toString();
   if (Result<Done> ok = playback::checkParticipantId(work.participant); !ok) return ok;
   playback::StudyPlayerSettings settings;
-  settings.player = places_.sound();
+  settings.player = context_.sound();
   if (masked()) settings.player.masking = {usualNoiseLevel, headphones_->text().trimmed().toStdString()};
   settings.rehearse = answers() == Answers::rehearsal;
   settings.sensorPort = sensor_->currentText().trimmed().toStdString();
   if (work.study->profile) settings.calibration = work.study->profile->sensor;
   if (force_->isChecked()) {
-    Result<std::optional<playback::ForceDeviceChoice>> force = places_.force();
+    Result<std::optional<playback::ForceDeviceChoice>> force = context_.force();
     if (!force) return force.failure();
     if (!*force)
       return Failure{FailureCode::wrongUsage, "force device", "", Message("none is chosen"),
@@ -296,7 +296,7 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
   }
   work.sensor = !settings.sensorPort.empty() || settings.force;
   work.force = settings.force.has_value();
-  Result<std::unique_ptr<playback::StudyPlayer>> player = places_.open(*work.study, settings);
+  Result<std::unique_ptr<playback::StudyPlayer>> player = context_.open(*work.study, settings);
   if (!player) {
     // A rehearsal is without sound, not without the force device.
     if (player.failure().code != FailureCode::deviceTrouble || settings.force) return player.failure();

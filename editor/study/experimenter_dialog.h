@@ -23,7 +23,7 @@
 namespace detent::editor {
 
 /// Access of the experimenter's view to devices and files; tests put their own in.
-struct StudyPlaces {
+struct StudyContext {
   /// The open buttons, of which a new study can be made.
   std::function<std::vector<ButtonDocument*>()> documents = [] { return std::vector<ButtonDocument*>{}; };
   /// Device profile of the feel panel; empty: none.
@@ -55,7 +55,7 @@ class ExperimenterDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit ExperimenterDialog(StudyPlaces places = {}, QWidget* parent = nullptr);
+  explicit ExperimenterDialog(StudyContext context = {}, QWidget* parent = nullptr);
   /// Shows that study; a folder without a study is reported in the window.
   void showStudy(const QString& folder);
 
@@ -88,7 +88,7 @@ class ExperimenterDialog : public QDialog {
   bool masked() const { return listening() == playback::Listening::masked; }
   Answers answers() const { return static_cast<Answers>(answers_->currentData().toInt()); }
 
-  StudyPlaces places_;
+  StudyContext context_;
   QString folder_;
   QPointer<StudyWindow> window_;
   QLabel *title_ = nullptr, *trouble_ = nullptr;

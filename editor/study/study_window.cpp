@@ -246,13 +246,13 @@ QString StudyWindow::howWords() const {
 
 /// Words for the stimuli that were not pressed through yet, and for those released too early.
 QString StudyWindow::unfeltWords() const {
-  if (desk_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
+  if (controller_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
   QStringList missing;
-  for (std::size_t slot = 0; slot <= desk_->slotOfX(); ++slot) {
-    const bool isX = slot == desk_->slotOfX();
-    if (desk_->feltOf(slot).whole > 0 || (isX && !desk_->hasX())) continue;
+  for (std::size_t slot = 0; slot <= controller_->slotOfX(); ++slot) {
+    const bool isX = slot == controller_->slotOfX();
+    if (controller_->feltOf(slot).whole > 0 || (isX && !controller_->hasX())) continue;
     const QString name = isX ? QStringLiteral("X") : QString::number(slot + 1);
-    missing << (desk_->feltOf(slot).presses > 0 ? words("%1 (not to the end yet)").arg(name) : name);
+    missing << (controller_->feltOf(slot).presses > 0 ? words("%1 (not to the end yet)").arg(name) : name);
   }
   return words("First press to the end and let go: %1.").arg(missing.join(", "));
 }
@@ -328,7 +328,7 @@ void StudyWindow::showNext() {
 }
 
 void StudyWindow::leaveQuestion() {
-  desk_.reset();
+  controller_.reset();
   if (timed_ != nullptr) timed_->leave();
 }
 
@@ -350,19 +350,19 @@ void StudyWindow::showTrial() {
     show(question_, At::question);
     return timed_->show(*work_.session);
   }
-  desk_.emplace(*work_.study, *trial, 0, now_s());
+  controller_.emplace(*work_.study, *trial, 0, now_s());
   work_.player->beginTrial();
   work_.player->troubleSinceAsked();
   trial_->mark({});
   trial_->clearNumber();
-  if (desk_->physicalTarget())
-    trial_->showRealX(words("X is the real switch number %1").arg(desk_->physicalNumber()));
+  if (controller_->physicalTarget())
+    trial_->showRealX(words("X is the real switch number %1").arg(controller_->physicalNumber()));
   show(trial_, At::question);
   refresh();
 }
 
 void StudyWindow::refresh() {
-  const bool may = desk_->mayAnswer();
+  const bool may = controller_->mayAnswer();
   trial_->allowAnswers(may);
   if (may && !away_) trial_->showTrouble({});
   const QString ask = may ? words("Now answer, or feel again as often as you like.") : taskWords();
@@ -371,25 +371,25 @@ void StudyWindow::refresh() {
 
 /// Puts it under the finger; what was done with the one before belongs to that one.
 void StudyWindow::feel(std::size_t slot) {
-  if (!desk_ || away_ || (slot == desk_->slotOfX() && !desk_->hasX())) return;
-  desk_->felt(work_.player->takeFelt());
-  work_.player->press(slot, desk_->buttonIn(slot), desk_->trial().mode);
-  desk_->tried(slot, now_s());
-  desk_->felt(work_.player->takeFelt());
+  if (!controller_ || away_ || (slot == controller_->slotOfX() && !controller_->hasX())) return;
+  controller_->felt(work_.player->takeFelt());
+  work_.player->press(slot, controller_->buttonIn(slot), controller_->trial().mode);
+  controller_->tried(slot, now_s());
+  controller_->felt(work_.player->takeFelt());
   trial_->mark(slot);
   refresh();
 }
 
 void StudyWindow::answer(std::size_t choice, std::optional<double> rating) {
-  if (!desk_ || away_) return;
-  desk_->felt(work_.player->takeFelt());
-  if (!desk_->mayAnswer()) return tell(unfeltWords());
+  if (!controller_ || away_) return;
+  controller_->felt(work_.player->takeFelt());
+  if (!controller_->mayAnswer()) return tell(unfeltWords());
   if (!playback::ratingFits(*work_.study, rating)) return tell(words("Type a number above 0, then Enter."));
-  playback::Answer given = desk_->answer(choice, now_s());
+  playback::Answer given = controller_->answer(choice, now_s());
   given.rating = rating;
   if (const Result<Done> kept = work_.session->record(given); !kept)
     return tell(words("Your answer is not kept yet. %1 Then answer again.").arg(sentenceOf(kept.failure())));
-  desk_.reset();
+  controller_.reset();
   if (work_.session->trial() == nullptr) {
     if (const Result<Done> ended = work_.session->end("complete"); !ended)
       return showEnd(sentenceOf(ended.failure()));
@@ -435,12 +435,12 @@ void StudyWindow::showEnd(const QString& text) {
 
 /// An interrupted stimulus is repeated, once the device is back.
 void StudyWindow::watchDevice() {
-  if (!desk_) {
+  if (!controller_) {
     if (!timed_) work_.player->takeFelt();  // nothing piles up between questions
     return;
   }
-  desk_->felt(work_.player->takeFelt());
-  if (!away_ && desk_->mayAnswer() != trial_->answersAllowed()) refresh();
+  controller_->felt(work_.player->takeFelt());
+  if (!away_ && controller_->mayAnswer() != trial_->answersAllowed()) refresh();
   const playback::StudyTrouble trouble = work_.player->troubleSinceAsked();
   if ((trouble != playback::StudyTrouble::none) == away_) return;
   away_ = !away_;

@@ -4118,7 +4118,7 @@ Lizenz: %3</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::ExportDesk</name>
+    <name>detent::editor::ExportController</name>
     <message>
         <source>Not exported: %1</source>
         <translation>Nicht exportiert: %1</translation>
@@ -4610,7 +4610,7 @@ Lizenz: %3</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::FileDesk</name>
+    <name>detent::editor::FileController</name>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
@@ -7996,7 +7996,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::RecoveryDesk</name>
+    <name>detent::editor::RecoveryController</name>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
@@ -8176,7 +8176,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::editor::SheetDesk</name>
+    <name>detent::editor::SheetController</name>
     <message>
         <source>Discard the corrections of this sheet?</source>
         <translation>Die Berichtigungen dieses Blatts verwerfen?</translation>

@@ -12,29 +12,29 @@
 namespace detent::editor {
 namespace {
 
-struct Grounds {
+struct PaletteColors {
   QColor window, base, alternate, button, text, disabled, highlight, highlightedText, link, tip, border;
 };
 
-QPalette paletteOf(const Grounds& grounds) {
-  QPalette palette(grounds.button, grounds.window);
-  palette.setColor(QPalette::WindowText, grounds.text);
-  palette.setColor(QPalette::Base, grounds.base);
-  palette.setColor(QPalette::AlternateBase, grounds.alternate);
-  palette.setColor(QPalette::Text, grounds.text);
-  palette.setColor(QPalette::ButtonText, grounds.text);
-  palette.setColor(QPalette::BrightText, grounds.text);
-  palette.setColor(QPalette::Highlight, grounds.highlight);
-  palette.setColor(QPalette::HighlightedText, grounds.highlightedText);
-  palette.setColor(QPalette::Link, grounds.link);
-  palette.setColor(QPalette::LinkVisited, grounds.link);
-  palette.setColor(QPalette::ToolTipBase, grounds.tip);
-  palette.setColor(QPalette::ToolTipText, grounds.text);
-  palette.setColor(QPalette::PlaceholderText, grounds.disabled);
-  palette.setColor(QPalette::Mid, grounds.border);
+QPalette paletteOf(const PaletteColors& colors) {
+  QPalette palette(colors.button, colors.window);
+  palette.setColor(QPalette::WindowText, colors.text);
+  palette.setColor(QPalette::Base, colors.base);
+  palette.setColor(QPalette::AlternateBase, colors.alternate);
+  palette.setColor(QPalette::Text, colors.text);
+  palette.setColor(QPalette::ButtonText, colors.text);
+  palette.setColor(QPalette::BrightText, colors.text);
+  palette.setColor(QPalette::Highlight, colors.highlight);
+  palette.setColor(QPalette::HighlightedText, colors.highlightedText);
+  palette.setColor(QPalette::Link, colors.link);
+  palette.setColor(QPalette::LinkVisited, colors.link);
+  palette.setColor(QPalette::ToolTipBase, colors.tip);
+  palette.setColor(QPalette::ToolTipText, colors.text);
+  palette.setColor(QPalette::PlaceholderText, colors.disabled);
+  palette.setColor(QPalette::Mid, colors.border);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    palette.setColor(QPalette::Disabled, role, grounds.disabled);
-  palette.setColor(QPalette::Disabled, QPalette::Highlight, grounds.border);
+    palette.setColor(QPalette::Disabled, role, colors.disabled);
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, colors.border);
   return palette;
 }
 

@@ -117,9 +117,9 @@ bool printGraph(QPrinter& printer, ButtonDocument& document, ViewSettings& setti
   const double below = top + (static_cast<double>(rows) + 0.5) * line;
   printNotes(painter, QRectF(0, below, page.width(), page.height() - 1.5 * line - below), document,
              settings.units());
-  const QRectF foot(0, page.height() - line, page.width(), line);
-  painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, sourceLine(button));
-  painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
+  const QRectF footer(0, page.height() - line, page.width(), line);
+  painter.drawText(footer, Qt::AlignLeft | Qt::AlignVCenter, sourceLine(button));
+  painter.drawText(footer, Qt::AlignRight | Qt::AlignVCenter,
                    QLocale().toString(QDate::currentDate(), QLocale::ShortFormat));
   return painter.end();
 }

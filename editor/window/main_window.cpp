@@ -110,8 +110,8 @@ QPalette currentDesktopPalette() {
   return QApplication::palette();
 }
 
-MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
-    : QMainWindow(parent), at_(places), systemPalette_(places.desktopPalette()) {
+MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
+    : QMainWindow(parent), at_(context), systemPalette_(context.desktopPalette()) {
   setObjectName("mainWindow");
   new WheelGuard(this);  // from the first widget on
   new ScreenFit(this);
@@ -157,7 +157,8 @@ void MainWindow::makeCentre() {
   welcome_ = new WelcomePage(ways);
   tabs_ = new TabArea(welcome_, at_.view);
   notices_ = described(new NoticeBar, "windowNotices");
-  files_ = new FileDesk({*this, *tabs_, *notices_, at_.view, at_.settings, at_.prompts, at_.recovery}, this);
+  files_ =
+      new FileController({*this, *tabs_, *notices_, at_.view, at_.settings, at_.prompts, at_.recovery}, this);
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -176,7 +177,7 @@ void MainWindow::makeCentre() {
   layout->addWidget(centre_, 1);
   setCentralWidget(centre);
   connect(welcome_, &WelcomePage::fileChosen, this, [this](const QString& path) { files_->open({path}); });
-  connect(files_, &FileDesk::done, this,
+  connect(files_, &FileController::done, this,
           [this](const QString& sentence) { statusBar()->showMessage(sentence, messageTime_ms); });
   connect(&files_->recent(), &RecentFiles::changed, this, &MainWindow::updateRecent);
 }
@@ -612,12 +613,12 @@ void MainWindow::showStudy() {
     const auto feel = [this] {
       return session_ ? session_->settings() : feelSettingsFrom(at_.settings.value("feel").toMap());
     };
-    StudyPlaces places;
-    places.documents = [this] { return tabs_->documents(); };
-    places.profileFile = [feel] { return feel().profileFile; };
-    places.sound = [feel] { return outputOf(feel()); };
-    places.force = [feel] { return forceDeviceOf(feel().force); };
-    study_ = new ExperimenterDialog(places, this);
+    StudyContext context;
+    context.documents = [this] { return tabs_->documents(); };
+    context.profileFile = [feel] { return feel().profileFile; };
+    context.sound = [feel] { return outputOf(feel()); };
+    context.force = [feel] { return forceDeviceOf(feel().force); };
+    study_ = new ExperimenterDialog(context, this);
   }
   bringUp(*study_);
 }
@@ -636,28 +637,28 @@ MeasuredWindow& MainWindow::showMeasured() {
       if (!path.isEmpty()) at_.settings.setValue("measured/last", QFileInfo(path).absolutePath());
       return path;
     };
-    MeasuredPlaces places{at_.view, at_.settings, {}, {}, {}, {}, {}, {}};
-    places.documents = [this] { return tabs_->documents(); };
-    places.open = [this](const std::vector<Button>& buttons) {
+    MeasuredContext context{at_.view, at_.settings, {}, {}, {}, {}, {}, {}};
+    context.documents = [this] { return tabs_->documents(); };
+    context.open = [this](const std::vector<Button>& buttons) {
       openAll(buttons);
       bringUp(*this);
     };
-    places.compare = [this](const std::vector<Button>& buttons) {
+    context.compare = [this](const std::vector<Button>& buttons) {
       compareAll(openAll(buttons));
       bringUp(*this);
     };
-    places.libraryFile = [this, folder, remember](QWidget* parent) {
+    context.libraryFile = [this, folder, remember](QWidget* parent) {
       const QStringList files = at_.prompts.filesToOpen(parent, tr("Open a library"), folder(),
                                                         {tr("Libraries (*.db *.sqlite *.sqlite3)")});
       return remember(files.isEmpty() ? QString() : files.front());
     };
-    places.folder = [this, folder, remember](QWidget* parent) {
+    context.folder = [this, folder, remember](QWidget* parent) {
       return remember(at_.prompts.folder(parent, tr("Add a folder of measurements"), folder()));
     };
-    places.page = [this](QWidget* parent, const QString& suggested) {
+    context.page = [this](QWidget* parent, const QString& suggested) {
       return at_.prompts.fileToSave(parent, tr("Write a page"), suggested, tr("Pages (*.html)"));
     };
-    measured_ = new MeasuredWindow(std::move(places), this);
+    measured_ = new MeasuredWindow(std::move(context), this);
   }
   bringUp(*measured_);
   return *measured_;
@@ -787,7 +788,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 // ---- clipboard, drop, small edits
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (FileDesk::canTake(*event->mimeData())) event->acceptProposedAction();
+  if (FileController::canTake(*event->mimeData())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {

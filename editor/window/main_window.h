@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The window of detent-edit: puts tabs, side panels, menus and keys together. What is done with files is
-// FileDesk's.
+// FileController's.
 
 #include <QDockWidget>
 #include <QLabel>
@@ -13,7 +13,7 @@
 #include <QToolButton>
 
 #include "editor/files/recovery_store.h"
-#include "editor/window/file_desk.h"
+#include "editor/window/file_controller.h"
 #include "editor/window/prompts.h"
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tab_area.h"
@@ -33,7 +33,7 @@ class MarginOverlay;
 QPalette currentDesktopPalette();
 
 /// Objects that a window needs; all of them outlive the window.
-struct WindowPlaces {
+struct WindowContext {
   ViewSettings& view;
   QSettings& settings;
   Prompts& prompts;
@@ -47,10 +47,10 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit MainWindow(const WindowPlaces& places, QWidget* parent = nullptr);
+  explicit MainWindow(const WindowContext& context, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  FileDesk& files() { return *files_; }
+  FileController& files() { return *files_; }
   TabArea& tabs() { return *tabs_; }
   NoticeBar& notices() { return *notices_; }
 
@@ -159,11 +159,11 @@ class MainWindow : public QMainWindow {
   void focusNextPanel(int by);
   void renameButton(DocumentTab& tab);
 
-  WindowPlaces at_;
+  WindowContext at_;
   QPalette systemPalette_;
   TabArea* tabs_ = nullptr;
   NoticeBar* notices_ = nullptr;
-  FileDesk* files_ = nullptr;
+  FileController* files_ = nullptr;
   WelcomePage* welcome_ = nullptr;
   LibraryPanel* library_ = nullptr;
   FeelSession* session_ = nullptr;

@@ -46,24 +46,24 @@ ReadButton readGraph(importer::ImportRequest request, const std::string& path, c
 
 struct ReadMany::Shared : Errand {
   /// One file's place.
-  struct Place {
+  struct Input {
     std::string path;
     std::shared_ptr<Errand> over = std::make_shared<Errand>();
     Answer<ReadButton> answer;
   };
-  std::vector<Place> places;
+  std::vector<Input> inputs;
   importer::ImportRequest request;
   std::atomic<std::size_t> begun{0};
 
   void readOn() {
-    for (std::size_t at = begun++; at < places.size(); at = begun++) {
-      Place& place = places[at];
+    for (std::size_t at = begun++; at < inputs.size(); at = begun++) {
+      Input& input = inputs[at];
       if (!cancelled())
-        place.answer = answerOf<ReadButton>([&] {
-          return readGraph(request, place.path,
-                           [this, &place] { return cancelled() || place.over->cancelled(); });
+        input.answer = answerOf<ReadButton>([&] {
+          return readGraph(request, input.path,
+                           [this, &input] { return cancelled() || input.over->cancelled(); });
         });
-      place.over->finish();
+      input.over->finish();
     }
   }
 };
@@ -72,20 +72,20 @@ ReadMany::ReadMany(const std::vector<std::string>& paths, const importer::Import
                    std::size_t jobs)
     : shared_(std::make_shared<Shared>()) {
   shared_->request = request;
-  for (const std::string& path : paths) shared_->places.emplace_back().path = path;
+  for (const std::string& path : paths) shared_->inputs.emplace_back().path = path;
   for (std::size_t job = 0; job < std::min(jobs, paths.size()); ++job)
     begin([shared = shared_] { shared->readOn(); });
 }
 
 Answer<ReadButton> ReadMany::next() {
-  Shared::Place& place = shared_->places.at(given_++);
+  Shared::Input& input = shared_->inputs.at(given_++);
   try {
-    await(*place.over);
+    await(*input.over);
   } catch (...) {
     stop();
     throw;
   }
-  return std::move(place.answer);
+  return std::move(input.answer);
 }
 
 void ReadMany::stop() { shared_->cancel(); }

@@ -250,7 +250,7 @@ class MeasuredTest : public QObject {
     settings.setValue("measured/library", folder.filePath("l.db"));
     std::vector<Button> opened, compared;
     ButtonDocument document(*tactileButton());
-    MeasuredPlaces context{view, settings, {}, {}, {}, {}, {}, {}};
+    MeasuredContext context{view, settings, {}, {}, {}, {}, {}, {}};
     context.documents = [&] { return std::vector<ButtonDocument*>{&document}; };
     context.open = [&](const std::vector<Button>& buttons) { opened = buttons; };
     context.compare = [&](const std::vector<Button>& buttons) { compared = buttons; };

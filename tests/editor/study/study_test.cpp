@@ -109,7 +109,7 @@ struct Rig {
 
   Rig() {
     study = folder.filePath("clicks");
-    StudyPlaces context;
+    StudyContext context;
     context.force = [this] { return Result<std::optional<playback::ForceDeviceChoice>>(force); };
     context.documents = [this] { return std::vector<ButtonDocument*>{&a, &b}; };
     context.open = [this](const playback::Study&, const playback::StudyPlayerSettings& settings) {

@@ -215,7 +215,7 @@ class FieldsTest : public QObject {
 
  private slots:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>(WindowPlaces{view_, settings_, prompts_, recovery_});
+    window_ = std::make_unique<MainWindow>(WindowContext{view_, settings_, prompts_, recovery_});
     window_->show();
     window_->files().open({QStringLiteral(DETENT_SOURCE_DIR "/samples/buttons/B.button.json")});
   }

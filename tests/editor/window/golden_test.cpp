@@ -112,7 +112,7 @@ class GoldenTest : public QObject {
  private:
   std::unique_ptr<MainWindow> makeWindow(Appearance appearance) {
     view_->setAppearance(appearance);
-    auto window = std::make_unique<MainWindow>(WindowPlaces{*view_, *settings_, prompts_, *recovery_});
+    auto window = std::make_unique<MainWindow>(WindowContext{*view_, *settings_, prompts_, *recovery_});
     window->resize(1000, 640);
     window->show();
     return window;

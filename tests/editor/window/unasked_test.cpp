@@ -260,7 +260,7 @@ class UnaskedTest : public QObject {
 
  private slots:
   void initTestCase() {
-    window_ = std::make_unique<MainWindow>(WindowPlaces{view_, settings_, prompts_, recovery_});
+    window_ = std::make_unique<MainWindow>(WindowContext{view_, settings_, prompts_, recovery_});
     view_.setSnap({});
     window_->resize(1600, 1100);
     window_->show();

@@ -141,7 +141,7 @@ struct Rig {
       : settings(folder + "/settings.ini", QSettings::IniFormat), recovery(folder + "/recovery") {
     restoreView(view, settings);
     window =
-        std::make_unique<MainWindow>(WindowPlaces{view, settings, prompts, recovery, std::move(desktop)});
+        std::make_unique<MainWindow>(WindowContext{view, settings, prompts, recovery, std::move(desktop)});
     window->show();
   }
   ButtonDocument& document() { return window->tabs().current()->document(); }
@@ -823,7 +823,7 @@ class WindowTest : public QObject {
     files.setUrls({QUrl::fromLocalFile(sample("plots/locked-dark.png")),
                    QUrl::fromLocalFile(sample("plots/two-level-legend.png")),
                    QUrl::fromLocalFile(sample("buttons/C.button.json"))});
-    QVERIFY(FileDesk::canTake(files));
+    QVERIFY(FileController::canTake(files));
     QVERIFY(rig.window->files().take(files));
     QCOMPARE(dialogs(), 1);
     QCOMPARE(rig.document().title(), QString("C"));
@@ -834,7 +834,7 @@ class WindowTest : public QObject {
     QCOMPARE(dialogs(), 0);
     QMimeData nothing;
     nothing.setText("words");
-    QVERIFY(!FileDesk::canTake(nothing));
+    QVERIFY(!FileController::canTake(nothing));
   }
 
   void nothingIsWrittenOverSomebodyElsesChange() {

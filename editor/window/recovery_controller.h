@@ -2,17 +2,17 @@
 #pragma once
 // Documents of editors that died, offered once at the start.
 
-#include "editor/window/desk_places.h"
+#include "editor/window/controller_context.h"
 
 namespace detent::editor {
 
 /// Offers what was left behind. Nothing is discarded without a question, and no file of a dead editor is
 /// removed before it is in this editor's own store. GUI thread.
-class RecoveryDesk : public QObject {
+class RecoveryController : public QObject {
   Q_OBJECT
 
  public:
-  explicit RecoveryDesk(const DeskPlaces& places, QObject* parent = nullptr);
+  explicit RecoveryController(const ControllerContext& context, QObject* parent = nullptr);
 
   /// Says what was left, with a choice; nothing if nothing was.
   void offer();
@@ -28,7 +28,7 @@ class RecoveryDesk : public QObject {
   static void recoverInto(ButtonDocument& document, const RecoveryRecord& record);
   DocumentTab& recoverOne(const RecoveryRecord& record);
 
-  DeskPlaces at_;
+  ControllerContext at_;
 };
 
 }  // namespace detent::editor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/window/sheet_desk.h"
+#include "editor/window/sheet_controller.h"
 
 #include <QLocale>
 
@@ -11,19 +11,19 @@
 
 namespace detent::editor {
 
-SheetDesk::SheetDesk(const DeskPlaces& places, QObject* parent)
-    : QObject(parent), at_(places), pages_(places.settings) {
+SheetController::SheetController(const ControllerContext& context, QObject* parent)
+    : QObject(parent), at_(context), pages_(context.settings) {
   connectPages();
   draftSoon_.setSingleShot(true);
   draftSoon_.setInterval(RecoveryStore::writeAfter_ms);
-  connect(&draftSoon_, &QTimer::timeout, this, &SheetDesk::keepDraft);
+  connect(&draftSoon_, &QTimer::timeout, this, &SheetController::keepDraft);
 }
 
-SheetDesk::~SheetDesk() { delete importing_; }
+SheetController::~SheetController() { delete importing_; }
 
 // ---- importing
 
-void SheetDesk::importFiles(const QStringList& paths) {
+void SheetController::importFiles(const QStringList& paths) {
   for (const QString& path : paths) {
     waiting_.emplace_back();
     waiting_.back().path = path;
@@ -31,36 +31,36 @@ void SheetDesk::importFiles(const QStringList& paths) {
   startNext();
 }
 
-void SheetDesk::importGraph(const QString& path, GraphId graph) {
+void SheetController::importGraph(const QString& path, GraphId graph) {
   waiting_.emplace_back();
   waiting_.back().path = path;
   if (graph.page > 0) waiting_.back().current = graph;
   startNext();
 }
 
-void SheetDesk::startNext() {
+void SheetController::startNext() {
   if (waiting_.empty() || (importing_ && importing_->isVisible())) return;
   const ImportDraft next = waiting_.front();
   waiting_.pop_front();
   shownDialog().continueDraft(next);
 }
 
-void SheetDesk::importPicture(const QImage& picture) { shownDialog().openPicture(picture); }
+void SheetController::importPicture(const QImage& picture) { shownDialog().openPicture(picture); }
 
-ImportDialog& SheetDesk::shownDialog() {
+ImportDialog& SheetController::shownDialog() {
   ImportDialog& shown = dialog();
   bringUp(shown);
   return shown;
 }
 
 // Made when it is first needed, and anew each time: what an import loaded is let go of with it.
-ImportDialog& SheetDesk::dialog() {
+ImportDialog& SheetController::dialog() {
   if (importing_ && importing_->isVisible()) return *importing_;
   delete importing_;
   importing_ = new ImportDialog(at_.view, &at_.window);
-  connect(importing_, &ImportDialog::imported, this, &SheetDesk::addImported);
-  connect(importing_, &ImportDialog::opened, this, &SheetDesk::opened);
-  connect(importing_, &ImportDialog::unreadable, this, &SheetDesk::unreadable);
+  connect(importing_, &ImportDialog::imported, this, &SheetController::addImported);
+  connect(importing_, &ImportDialog::opened, this, &SheetController::opened);
+  connect(importing_, &ImportDialog::unreadable, this, &SheetController::unreadable);
   connect(importing_, &ImportDialog::draftChanged, this, [this] {
     if (!draftSoon_.isActive()) draftSoon_.start();
   });
@@ -73,18 +73,18 @@ ImportDialog& SheetDesk::dialog() {
     return at_.prompts.confirm(importing_, tr("Discard the corrections of this sheet?"), tr("Discard"));
   });
   connect(importing_, &QDialog::accepted, &at_.window, &QWidget::activateWindow);
-  connect(importing_, &QDialog::finished, this, &SheetDesk::startNext, Qt::QueuedConnection);
+  connect(importing_, &QDialog::finished, this, &SheetController::startNext, Qt::QueuedConnection);
   return *importing_;
 }
 
-void SheetDesk::addImported(std::shared_ptr<const importer::ImportReport> report) {
+void SheetController::addImported(std::shared_ptr<const importer::ImportReport> report) {
   const auto& provenance = report->button.provenance();
   if (provenance && importing_) pages_.remember(*provenance, importing_->draft().path);
   at_.tabs.add(importedDocument(std::move(report)));
   at_.recovery.flush();  // it may have cost an hour: not even two seconds of it are risked
 }
 
-void SheetDesk::openImported(const QString& path, const Button& button) {
+void SheetController::openImported(const QString& path, const Button& button) {
   if (button.provenance()) pages_.remember(*button.provenance(), path);
   auto document = std::make_unique<ButtonDocument>(button);
   document->history().stack().resetClean();
@@ -94,7 +94,7 @@ void SheetDesk::openImported(const QString& path, const Button& button) {
 // ---- what a hand corrected
 
 // On the disk within two seconds, as a document's changes are.
-void SheetDesk::keepDraft() {
+void SheetController::keepDraft() {
   if (!importing_ || !importing_->isVisible()) return;
   ImportDraft draft = importing_->draft();
   if (draft.empty()) return at_.recovery.dropImport();
@@ -104,7 +104,7 @@ void SheetDesk::keepDraft() {
   at_.recovery.keepImport(textOf(draft));
 }
 
-void SheetDesk::offerInterrupted() {
+void SheetController::offerInterrupted() {
   for (const LeftImport& left : at_.recovery.leftImports()) {
     const auto draft = draftFrom(left.text);
     if (!draft) {
@@ -127,11 +127,11 @@ void SheetDesk::offerInterrupted() {
 
 // ---- pages that come back
 
-void SheetDesk::attend(ButtonDocument& document) { pages_.attend(document); }
+void SheetController::attend(ButtonDocument& document) { pages_.attend(document); }
 
-void SheetDesk::bringPageBack(ButtonDocument& document) { pages_.bringBack(document); }
+void SheetController::bringPageBack(ButtonDocument& document) { pages_.bringBack(document); }
 
-void SheetDesk::keepPage(ButtonDocument& document, bool keep) {
+void SheetController::keepPage(ButtonDocument& document, bool keep) {
   const auto page = document.page();
   if (keep && !page) return;
   auto cutout = keep ? cutoutOf(*page) : std::nullopt;
@@ -143,7 +143,7 @@ void SheetDesk::keepPage(ButtonDocument& document, bool keep) {
   document.history().stack().resetClean();
 }
 
-NoticeBar::Choice SheetDesk::findSheetChoice(ButtonDocument& document) {
+NoticeBar::Choice SheetController::findSheetChoice(ButtonDocument& document) {
   return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
             const QStringList chosen =
                 at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), at_.folder(), importFilters());
@@ -151,7 +151,7 @@ NoticeBar::Choice SheetDesk::findSheetChoice(ButtonDocument& document) {
           }};
 }
 
-void SheetDesk::connectPages() {
+void SheetController::connectPages() {
   const auto say = [this](ButtonDocument* document, NoticeBar::Kind kind, const QString& sentence) {
     if (DocumentTab* tab = at_.tabs.tabOf(document))
       tab->notices().say("page", kind, sentence, {findSheetChoice(*document)});

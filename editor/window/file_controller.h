@@ -5,10 +5,10 @@
 #include "editor/files/file_watch.h"
 #include "editor/files/open_marks.h"
 #include "editor/files/recent_files.h"
-#include "editor/window/desk_places.h"
-#include "editor/window/export_desk.h"
-#include "editor/window/recovery_desk.h"
-#include "editor/window/sheet_desk.h"
+#include "editor/window/controller_context.h"
+#include "editor/window/export_controller.h"
+#include "editor/window/recovery_controller.h"
+#include "editor/window/sheet_controller.h"
 
 class QMimeData;
 
@@ -18,15 +18,15 @@ class BatchDialog;
 
 /// Troubles are said as notices where they happen; nothing here changes a document that is open because
 /// another file is broken. GUI thread.
-class FileDesk : public QObject {
+class FileController : public QObject {
   Q_OBJECT
 
  public:
-  explicit FileDesk(const DeskPlaces& places, QObject* parent = nullptr);
+  explicit FileController(const ControllerContext& context, QObject* parent = nullptr);
 
   RecentFiles& recent() { return recent_; }
-  ExportDesk& exports() { return exports_; }
-  SheetDesk& sheets() { return sheets_; }
+  ExportController& exports() { return exports_; }
+  SheetController& sheets() { return sheets_; }
 
   void newButton();
   void openByDialog();
@@ -70,13 +70,13 @@ class FileDesk : public QObject {
   NoticeBar::Choice saveAsChoice(DocumentTab& tab);
   void trouble(const QString& id, const QString& sentence);
 
-  DeskPlaces at_;
+  ControllerContext at_;
   RecentFiles recent_;
   FileWatch watch_;
   OpenMarks marks_;
-  SheetDesk sheets_;
-  RecoveryDesk leftBehind_;
-  ExportDesk exports_;
+  SheetController sheets_;
+  RecoveryController leftBehind_;
+  ExportController exports_;
   BatchDialog* batch_ = nullptr;  ///< the window's; made when it is first needed
 };
 

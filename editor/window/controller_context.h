@@ -14,7 +14,7 @@
 namespace detent::editor {
 
 /// All of it outlives the desks. GUI thread.
-struct DeskPlaces {
+struct ControllerContext {
   QWidget& window;  ///< parent of dialogues
   TabArea& tabs;
   NoticeBar& notices;  ///< for what belongs to no tab

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/window/recovery_desk.h"
+#include "editor/window/recovery_controller.h"
 
 #include <QLocale>
 
@@ -7,9 +7,10 @@
 
 namespace detent::editor {
 
-RecoveryDesk::RecoveryDesk(const DeskPlaces& places, QObject* parent) : QObject(parent), at_(places) {}
+RecoveryController::RecoveryController(const ControllerContext& context, QObject* parent)
+    : QObject(parent), at_(context) {}
 
-void RecoveryDesk::offer() {
+void RecoveryController::offer() {
   QStringList unreadable;
   const QList<LeftBehind> left = at_.recovery.leftBehind(&unreadable);
   for (const QString& sentence : unreadable)
@@ -17,7 +18,7 @@ void RecoveryDesk::offer() {
   if (!left.isEmpty()) say(left);
 }
 
-void RecoveryDesk::say(const QList<LeftBehind>& left) {
+void RecoveryController::say(const QList<LeftBehind>& left) {
   QStringList names;
   for (const LeftBehind& one : left)
     names << tr("%1 (%2)").arg(one.record.title,
@@ -28,21 +29,21 @@ void RecoveryDesk::say(const QList<LeftBehind>& left) {
                    {"discardRecovery", tr("Discard…"), [this, left] { discard(left); }}});
 }
 
-void RecoveryDesk::discard(const QList<LeftBehind>& left) {
+void RecoveryController::discard(const QList<LeftBehind>& left) {
   if (!at_.prompts.confirm(&at_.window, tr("Throw the unsaved changes away for good?"), tr("Throw away")))
     return say(left);
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
 // The recovered document is on the disk under this editor's name before the old file goes.
-void RecoveryDesk::recover(const QList<LeftBehind>& left) {
+void RecoveryController::recover(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) emit recovered(&recoverOne(one.record));
   at_.recovery.flush();
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
 // These changes were not made on the file that somebody else wrote since: saving asks.
-void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
+void RecoveryController::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
   document.history().replace(record.button, tr("Recover unsaved changes"));
   if (record.cutout != document.cutout()) {
     document.setCutout(record.cutout);
@@ -53,7 +54,7 @@ void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& r
 }
 
 // On top of the file as it was saved, so that undo leads back to it.
-DocumentTab& RecoveryDesk::recoverOne(const RecoveryRecord& record) {
+DocumentTab& RecoveryController::recoverOne(const RecoveryRecord& record) {
   DocumentTab* open = at_.tabs.withPath(record.path);
   if (open && !open->document().history().modified()) {  // the last session's tabs are open again by now
     recoverInto(open->document(), record);

@@ -5,18 +5,18 @@
 #include <functional>
 #include <QObject>
 
-#include "editor/window/desk_places.h"
+#include "editor/window/controller_context.h"
 
 namespace detent::editor {
 
 class ComparePanel;
 
 /// Asks where, writes whole files, says troubles in the tab. GUI thread.
-class ExportDesk : public QObject {
+class ExportController : public QObject {
   Q_OBJECT
 
  public:
-  explicit ExportDesk(const DeskPlaces& places, QObject* parent = nullptr);
+  explicit ExportController(const ControllerContext& context, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
   /// CSV with decimal commas, and semicolons between the fields.
@@ -46,7 +46,7 @@ class ExportDesk : public QObject {
   void write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
              const std::function<Result<Done>(const QString&)>& writeTo);
 
-  DeskPlaces at_;
+  ControllerContext at_;
 };
 
 }  // namespace detent::editor

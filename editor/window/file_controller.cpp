@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/window/file_desk.h"
+#include "editor/window/file_controller.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -23,33 +23,33 @@ QString marksBeside(const QString& recoveryFolder) {
 
 }  // namespace
 
-FileDesk::FileDesk(const DeskPlaces& places, QObject* parent)
+FileController::FileController(const ControllerContext& context, QObject* parent)
     : QObject(parent),
-      at_(places),
-      recent_(places.settings),
-      marks_(marksBeside(places.recovery.folder())),
-      sheets_(places),
-      leftBehind_(places),
-      exports_(places) {
-  connect(&sheets_, &SheetDesk::done, this, &FileDesk::done);
-  connect(&exports_, &ExportDesk::done, this, &FileDesk::done);
-  connect(&sheets_, &SheetDesk::opened, &recent_, &RecentFiles::add);
-  connect(&sheets_, &SheetDesk::unreadable, &recent_, &RecentFiles::remove);
-  connect(&leftBehind_, &RecoveryDesk::recovered, this, [this](DocumentTab* tab) {
+      at_(context),
+      recent_(context.settings),
+      marks_(marksBeside(context.recovery.folder())),
+      sheets_(context),
+      leftBehind_(context),
+      exports_(context) {
+  connect(&sheets_, &SheetController::done, this, &FileController::done);
+  connect(&exports_, &ExportController::done, this, &FileController::done);
+  connect(&sheets_, &SheetController::opened, &recent_, &RecentFiles::add);
+  connect(&sheets_, &SheetController::unreadable, &recent_, &RecentFiles::remove);
+  connect(&leftBehind_, &RecoveryController::recovered, this, [this](DocumentTab* tab) {
     if (const QString path = tab->document().path(); !path.isEmpty()) watch_.watch(path);
     sheets_.bringPageBack(tab->document());
   });
   connect(&marks_, &OpenMarks::otherEditorChanged, this, [this](ButtonDocument* document) {
     if (DocumentTab* tab = at_.tabs.tabOf(document)) sayOtherEditor(*tab);
   });
-  connect(&watch_, &FileWatch::changedOutside, this, &FileDesk::changedOutside);
-  connect(&watch_, &FileWatch::vanished, this, &FileDesk::vanished);
+  connect(&watch_, &FileWatch::changedOutside, this, &FileController::changedOutside);
+  connect(&watch_, &FileWatch::vanished, this, &FileController::vanished);
   connect(&at_.recovery, &RecoveryStore::failed, this,
           [this](const QString& sentence) { trouble("autosave", sentence); });
   connectTabs();
 }
 
-void FileDesk::connectTabs() {
+void FileController::connectTabs() {
   connect(&at_.tabs, &TabArea::tabAdded, this, [this](DocumentTab* tab) {
     at_.recovery.watch(tab->document());
     marks_.watch(tab->document());
@@ -63,52 +63,52 @@ void FileDesk::connectTabs() {
   });
 }
 
-void FileDesk::trouble(const QString& id, const QString& sentence) {
+void FileController::trouble(const QString& id, const QString& sentence) {
   at_.notices.say(id, NoticeBar::Kind::trouble, sentence);
 }
 
 // ---- opening
 
-void FileDesk::newButton() {
+void FileController::newButton() {
   const auto button = at_.prompts.newButton(&at_.window);
   if (button) at_.tabs.add(std::make_unique<ButtonDocument>(*button));
 }
 
-void FileDesk::openByDialog() {
+void FileController::openByDialog() {
   open(at_.prompts.filesToOpen(&at_.window, tr("Open"), at_.folder(), openFilters()));
 }
 
-void FileDesk::importByDialog() {
+void FileController::importByDialog() {
   const QStringList chosen =
       at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), importFilters());
   for (const QString& path : chosen) at_.rememberFolder(path);
   sheets_.importFiles(chosen);
 }
 
-void FileDesk::importMany() {
+void FileController::importMany() {
   if (!batch_) {
-    BatchPlaces places;
-    places.files = [this](QWidget* parent) {
+    BatchPlaces context;
+    context.files = [this](QWidget* parent) {
       const QStringList chosen =
           at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folder(), importFilters());
       if (!chosen.isEmpty()) at_.rememberFolder(chosen.front());
       return chosen;
     };
-    places.folder = [this](QWidget* parent) {
+    context.folder = [this](QWidget* parent) {
       return at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
     };
-    places.folderToSave = [this](QWidget* parent) {
+    context.folderToSave = [this](QWidget* parent) {
       return at_.prompts.folder(parent, tr("Save the buttons in"), at_.folder());
     };
-    places.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
-    places.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
-    batch_ = new BatchDialog(at_.view, std::move(places), &at_.window);
+    context.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
+    context.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
+    batch_ = new BatchDialog(at_.view, std::move(context), &at_.window);
   }
   bringUp(*batch_);
 }
 
 // As a file of its own: it can be opened again, and its page comes back like any other.
-void FileDesk::importSample() {
+void FileController::importSample() {
   const QString path =
       QFileInfo(at_.recovery.folder()).dir().filePath(tr("sample-datasheet") + QStringLiteral(".pdf"));
   QFile inside(QStringLiteral(":/samples/white-vector.pdf"));
@@ -121,7 +121,7 @@ void FileDesk::importSample() {
   sheets_.importFiles({path});
 }
 
-void FileDesk::open(const QStringList& paths) {
+void FileController::open(const QStringList& paths) {
   QStringList pages;
   for (const QString& path : paths) {
     const auto kind = inputKindOf(path);
@@ -134,7 +134,7 @@ void FileDesk::open(const QStringList& paths) {
   sheets_.importFiles(pages);
 }
 
-DocumentTab* FileDesk::openButton(const QString& path) {
+DocumentTab* FileController::openButton(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   if (DocumentTab* open = at_.tabs.withPath(absolute)) {
     at_.tabs.show(open->document());
@@ -154,9 +154,9 @@ DocumentTab* FileDesk::openButton(const QString& path) {
   return &tab;
 }
 
-bool FileDesk::canTake(const QMimeData& data) { return data.hasUrls() || data.hasImage(); }
+bool FileController::canTake(const QMimeData& data) { return data.hasUrls() || data.hasImage(); }
 
-bool FileDesk::take(const QMimeData& data) {
+bool FileController::take(const QMimeData& data) {
   QStringList paths;
   for (const QUrl& url : data.urls())
     if (url.isLocalFile()) paths << url.toLocalFile();
@@ -172,15 +172,15 @@ bool FileDesk::take(const QMimeData& data) {
 
 // ---- saving and closing
 
-NoticeBar::Choice FileDesk::saveAsChoice(DocumentTab& tab) {
+NoticeBar::Choice FileController::saveAsChoice(DocumentTab& tab) {
   return {"saveAs", tr("Save as…"), [this, &tab] { saveAs(tab); }};
 }
 
-void FileDesk::sayNotSaved(DocumentTab& tab, const QString& why) {
+void FileController::sayNotSaved(DocumentTab& tab, const QString& why) {
   tab.notices().say("save", NoticeBar::Kind::trouble, tr("Not saved: %1").arg(why), {saveAsChoice(tab)});
 }
 
-void FileDesk::sayOtherEditor(DocumentTab& tab) {
+void FileController::sayOtherEditor(DocumentTab& tab) {
   const auto other = marks_.otherEditor(tab.document());
   if (!other) return tab.notices().dismiss("otherEditor");
   tab.notices().say("otherEditor", NoticeBar::Kind::information,
@@ -190,7 +190,7 @@ void FileDesk::sayOtherEditor(DocumentTab& tab) {
 }
 
 // Nothing is written over what somebody else has saved since: the person decides.
-void FileDesk::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
+void FileController::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
   tab.notices().say("disk", NoticeBar::Kind::trouble, sentence,
                     {{"overwrite", tr("Overwrite"),
                       [this, &tab, seen = contentHash(tab.document().path())] {
@@ -201,7 +201,7 @@ void FileDesk::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
                      {"reload", tr("Reload"), [this, &tab] { reload(tab); }}});
 }
 
-void FileDesk::reload(DocumentTab& tab) {
+void FileController::reload(DocumentTab& tab) {
   const auto reloaded = reloadDocument(tab.document());
   if (reloaded)
     emit done(tr("Reloaded %1").arg(shownPath(tab.document().path())));
@@ -210,7 +210,7 @@ void FileDesk::reload(DocumentTab& tab) {
                       tr("Not reloaded: %1").arg(sentenceOf(reloaded.failure())), {saveAsChoice(tab)});
 }
 
-bool FileDesk::write(DocumentTab& tab, const QString& path) {
+bool FileController::write(DocumentTab& tab, const QString& path) {
   const QString before = tab.document().path();
   if (path == before && diskStateOf(tab.document()) == DiskState::changed) {
     at_.tabs.show(tab.document());
@@ -232,11 +232,11 @@ bool FileDesk::write(DocumentTab& tab, const QString& path) {
   return true;
 }
 
-bool FileDesk::save(DocumentTab& tab) {
+bool FileController::save(DocumentTab& tab) {
   return tab.document().path().isEmpty() ? saveAs(tab) : write(tab, tab.document().path());
 }
 
-bool FileDesk::saveAs(DocumentTab& tab) {
+bool FileController::saveAs(DocumentTab& tab) {
   at_.tabs.show(tab.document());  // the person sees what is being named
   const QString now = tab.document().path();
   const QString suggested = now.isEmpty() ? suggestedPath(tab.document(), at_.folder(), ".button.json") : now;
@@ -257,13 +257,13 @@ bool FileDesk::saveAs(DocumentTab& tab) {
   return write(tab, path);
 }
 
-bool FileDesk::saveAll() {
+bool FileController::saveAll() {
   for (DocumentTab* tab : at_.tabs.all())
     if (tab->document().history().modified() && !save(*tab)) return false;
   return true;
 }
 
-bool FileDesk::close(DocumentTab& tab) {
+bool FileController::close(DocumentTab& tab) {
   if (tab.document().history().dragging()) tab.document().history().cancelDrag();
   if (tab.document().history().modified()) {
     at_.tabs.show(tab.document());
@@ -275,7 +275,7 @@ bool FileDesk::close(DocumentTab& tab) {
   return true;
 }
 
-bool FileDesk::closeAll() {
+bool FileController::closeAll() {
   QStringList unsaved;
   for (DocumentTab* tab : at_.tabs.all()) {
     if (tab->document().history().dragging()) tab->document().history().cancelDrag();
@@ -292,12 +292,12 @@ bool FileDesk::closeAll() {
 
 // ---- recovery, other programs
 
-void FileDesk::offerRecovery() {
+void FileController::offerRecovery() {
   leftBehind_.offer();
   sheets_.offerInterrupted();
 }
 
-void FileDesk::changedOutside(const QString& path) {
+void FileController::changedOutside(const QString& path) {
   DocumentTab* tab = at_.tabs.withPath(path);
   if (!tab) return;
   const bool modified = tab->document().history().modified();
@@ -313,7 +313,7 @@ void FileDesk::changedOutside(const QString& path) {
         }}});
 }
 
-void FileDesk::vanished(const QString& path) {
+void FileController::vanished(const QString& path) {
   DocumentTab* tab = at_.tabs.withPath(path);
   if (!tab) return;
   tab->document().history().stack().resetClean();

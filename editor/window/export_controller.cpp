@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/window/export_desk.h"
+#include "editor/window/export_controller.h"
 
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
@@ -19,21 +19,23 @@ constexpr QSize comparisonSize_px{900, 600};
 std::pair<QString, QString> graphFile(GraphFileFormat format) {
   switch (format) {
     case GraphFileFormat::svg:
-      return {ExportDesk::tr("SVG drawing"), ".svg"};
+      return {ExportController::tr("SVG drawing"), ".svg"};
     case GraphFileFormat::pdf:
-      return {ExportDesk::tr("PDF document"), ".pdf"};
+      return {ExportController::tr("PDF document"), ".pdf"};
     case GraphFileFormat::png:
-      return {ExportDesk::tr("PNG picture"), ".png"};
+      return {ExportController::tr("PNG picture"), ".png"};
   }
   return {};
 }
 
 }  // namespace
 
-ExportDesk::ExportDesk(const DeskPlaces& places, QObject* parent) : QObject(parent), at_(places) {}
+ExportController::ExportController(const ControllerContext& context, QObject* parent)
+    : QObject(parent), at_(context) {}
 
-void ExportDesk::write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
-                       const std::function<Result<Done>(const QString&)>& writeTo) {
+void ExportController::write(DocumentTab& tab, const QString& title, const QString& filter,
+                             const QString& ending,
+                             const std::function<Result<Done>(const QString&)>& writeTo) {
   QString path =
       at_.prompts.fileToSave(&at_.window, title, suggestedPath(tab.document(), at_.folder(), ending), filter);
   if (path.isEmpty()) return;
@@ -49,13 +51,13 @@ void ExportDesk::write(DocumentTab& tab, const QString& title, const QString& fi
   emit done(tr("Exported %1").arg(shownPath(path)));
 }
 
-void ExportDesk::csv(DocumentTab& tab) {
+void ExportController::csv(DocumentTab& tab) {
   const ButtonDocument& document = tab.document();
   write(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv",
         [&](const QString& path) { return exportCsv(document.button(), document.activeState(), path); });
 }
 
-void ExportDesk::csvAt(DocumentTab& tab) {
+void ExportController::csvAt(DocumentTab& tab) {
   const ButtonDocument& document = tab.document();
   const DisplayUnits& units = at_.view.units();
   const auto typed =
@@ -73,7 +75,7 @@ void ExportDesk::csvAt(DocumentTab& tab) {
   });
 }
 
-void ExportDesk::semicolonCsv(DocumentTab& tab) {
+void ExportController::semicolonCsv(DocumentTab& tab) {
   const ButtonDocument& document = tab.document();
   write(tab, tr("Export samples"), tr("CSV with semicolons, mm and N") + " (*.csv)", ".csv",
         [&](const QString& path) {
@@ -81,7 +83,7 @@ void ExportDesk::semicolonCsv(DocumentTab& tab) {
         });
 }
 
-void ExportDesk::graph(DocumentTab& tab) {
+void ExportController::graph(DocumentTab& tab) {
   const Button& button = tab.document().button();
   const auto chosen = at_.prompts.graphExport(&at_.window, button, at_.view.units());
   if (!chosen) return;
@@ -90,14 +92,14 @@ void ExportDesk::graph(DocumentTab& tab) {
         [&](const QString& path) { return exportGraph(button, *chosen, path); });
 }
 
-void ExportDesk::png(DocumentTab& tab) {
+void ExportController::png(DocumentTab& tab) {
   write(tab, tr("Export picture"), tr("PNG picture") + " (*.png)", ".png", [&](const QString& path) {
     return exportButtonPng(tab.workspace().renderImage(exportedPicture_px, exportedPixelRatio),
                            tab.document().button(), path);
   });
 }
 
-void ExportDesk::comparison(DocumentTab& tab, const ComparePanel& comparison) {
+void ExportController::comparison(DocumentTab& tab, const ComparePanel& comparison) {
   const QString filter = QStringList{tr("PNG picture") + " (*.png)", tr("SVG drawing") + " (*.svg)",
                                      tr("PDF document") + " (*.pdf)"}
                              .join(";;");
@@ -109,19 +111,19 @@ void ExportDesk::comparison(DocumentTab& tab, const ComparePanel& comparison) {
   });
 }
 
-void ExportDesk::wav(DocumentTab& tab) {
+void ExportController::wav(DocumentTab& tab) {
   write(tab, tr("Export the vibration of a press"), tr("WAV sound") + " (*.wav)", ".wav",
         [&](const QString& path) {
           return exportWav(tab.document().button(), tab.document().activeState(), path);
         });
 }
 
-void ExportDesk::dataPackage(DocumentTab& tab) {
+void ExportController::dataPackage(DocumentTab& tab) {
   write(tab, tr("Export as a data package"), tr("Folder of a data package") + " (*)", "-datapackage",
         [&](const QString& path) { return exportDataPackage(tab.document().button(), path); });
 }
 
-void ExportDesk::tracedProject(DocumentTab& tab) {
+void ExportController::tracedProject(DocumentTab& tab) {
   const ButtonDocument& document = tab.document();
   const QString filter =
       tr("Project with its picture") + " (*.tar);;" + tr("Project without a picture") + " (*.wpd.json)";
@@ -130,12 +132,12 @@ void ExportDesk::tracedProject(DocumentTab& tab) {
   });
 }
 
-void ExportDesk::page(DocumentTab& tab) {
+void ExportController::page(DocumentTab& tab) {
   write(tab, tr("Share as a page"), tr("Web page") + " (*.html)", ".html",
         [&](const QString& path) { return exportPage({tab.document().button()}, path); });
 }
 
-void ExportDesk::device(DocumentTab& tab) {
+void ExportController::device(DocumentTab& tab) {
   const auto chosen = at_.prompts.deviceExport(&at_.window, tab.document().button());
   if (!chosen) return;
   write(tab, tr("Export for a device"), chosen->name + " (*" + chosen->ending + ")", chosen->ending,

@@ -10,19 +10,19 @@
 
 #include "editor/importing/import_draft.h"
 #include "editor/importing/page_return.h"
-#include "editor/window/desk_places.h"
+#include "editor/window/controller_context.h"
 
 namespace detent::editor {
 
 class ImportDialog;
 
 /// One import dialogue at a time; further sheets wait for their turn. GUI thread.
-class SheetDesk : public QObject {
+class SheetController : public QObject {
   Q_OBJECT
 
  public:
-  explicit SheetDesk(const DeskPlaces& places, QObject* parent = nullptr);
-  ~SheetDesk() override;
+  explicit SheetController(const ControllerContext& context, QObject* parent = nullptr);
+  ~SheetController() override;
 
   void importFiles(const QStringList& paths);
   /// One graph of a sheet, selected in the import dialogue.
@@ -55,7 +55,7 @@ class SheetDesk : public QObject {
   void connectPages();
   NoticeBar::Choice findSheetChoice(ButtonDocument& document);
 
-  DeskPlaces at_;
+  ControllerContext at_;
   PageReturn pages_;
   QTimer draftSoon_;
   QString pastedFile_;  ///< where the pasted picture of the import dialogue is kept
