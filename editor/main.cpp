@@ -53,8 +53,10 @@ bool screenMissing(const QStringList& words) {
 
 int run(QApplication& app) {
   const Arguments arguments = argumentsFrom(QCoreApplication::arguments().mid(1));  // without Qt's own
-  installTranslation(app, QLocale());
   QSettings settings;
+  if (const QString language = settings.value(languageKey).toString(); !language.isEmpty())
+    QLocale::setDefault(QLocale(language));
+  installTranslation(app, QLocale());
   ViewSettings view;
   restoreView(view, settings);
   Prompts prompts;

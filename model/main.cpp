@@ -80,9 +80,20 @@ void addCommands(CLI::App& app, Arguments& arguments) {
       "--speed", arguments.convert.speed_mm_per_s,
       "for a button with graphs at several speeds: write the graph of this speed, mm/s\n"
       "(default: all, or the one in front if the output holds only one)");
-  convertCommand->add_option(
-      "--force-step", arguments.convert.forceStep_N,
-      "write the travel at each multiple of this force, N, to the CSV instead of samples");
+  CLI::Option* travelStep = convertCommand->add_option(
+      "--travel-step", arguments.convert.travelStep_mm,
+      "write the force at each multiple of this travel, mm, to the CSV instead of samples");
+  CLI::Option* travels =
+      convertCommand
+          ->add_option("--travels", arguments.convert.travels_mm,
+                       "write the force at these travels, mm, with commas between them: 0.5,1,2")
+          ->delimiter(',')
+          ->excludes(travelStep);
+  convertCommand
+      ->add_option("--force-step", arguments.convert.forceStep_N,
+                   "write the travel at each multiple of this force, N, to the CSV instead of samples")
+      ->excludes(travelStep)
+      ->excludes(travels);
   convertCommand
       ->add_option("--force-unit", arguments.forceUnit,
                    "unit of the SVG's and project's force axis: N, mN, cN, gf, kgf, ozf, lbf")

@@ -8,20 +8,11 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/feel/force_meter.h"
 #include "editor/feel/force_words.h"
 
 namespace detent::editor {
-namespace {
-
-QLabel* wrapped(const char* name) {
-  auto* label = described(new QLabel, name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-}  // namespace
 
 ForceBox::ForceBox(ViewSettings& settings, ForceSession& session, QWidget* parent)
     : QWidget(parent), settings_(settings), session_(session) {
@@ -29,9 +20,9 @@ ForceBox::ForceBox(ViewSettings& settings, ForceSession& session, QWidget* paren
   force_->setText(tr("Force"));
   force_->setCheckable(true);
   connect(force_, &QToolButton::clicked, this, [this](bool on) { on ? session_.start() : session_.stop(); });
-  status_ = wrapped("forceStatus");
+  status_ = wrappingLabel("forceStatus");
   meter_ = described(new ForceMeter(settings), "forceMeter");
-  stability_ = wrapped("forceStability");
+  stability_ = wrappingLabel("forceStability");
   stable_ = described(new QPushButton(tr("&Nearest stable button")), "nearestStable",
                       tr("Change the button as little as the device needs: damping first, then slopes; a "
                          "peak keeps its force. "

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/feel/feel_clock.h"
 #include "editor/feel/level_meter.h"
 #include "editor/quantity/quantity.h"
@@ -90,9 +91,7 @@ QLayout* SoundBox::gainRow() {
 }
 
 QLayout* SoundBox::statusRow() {
-  status_ = described(new QLabel, "soundStatus");
-  status_->setWordWrap(true);
-  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  status_ = wrappingLabel("soundStatus");
   again_ = described(new QPushButton(tr("Try again")), "soundAgain", tr("Open the sound device once more"));
   connect(again_, &QPushButton::clicked, &session_.player(), &FeelPlayer::startSound);
   auto* row = new QHBoxLayout;

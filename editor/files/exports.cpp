@@ -19,6 +19,7 @@
 #include "model/file/data_package.h"
 #include "model/file/text_file.h"
 #include "model/file/traced_project.h"
+#include "model/file/travel_steps.h"
 #include "playback/playback.h"
 
 namespace detent::editor {
@@ -47,62 +48,23 @@ struct SampledAt {
   Q_DECLARE_TR_FUNCTIONS(SampledAt)
 };
 
-constexpr std::size_t mostSamples = 100000;
-
 }  // namespace
 
 Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& graph,
                                         const DisplayUnits& units) {
-  const auto refuse = [](const QString& problem, const QString& remedy) {
-    return Failure{FailureCode::wrongUsage, "", "", problem.toStdString(), remedy.toStdString()};
-  };
   std::vector<double> typed;
   // A blank before a letter stands between a number and its unit.
   static const QRegularExpression separator(QStringLiteral("\\s*;\\s*|\\s+(?![^\\s\\d.,+-])"));
   for (const QString& part : text.split(separator, Qt::SkipEmptyParts)) {
     const QuantityReading reading = readQuantity(part, Quantity::length, units);
     if (!reading.value)
-      return refuse(refusalOf(reading, Quantity::length, units).remove(QRegularExpression("\\.$")),
-                    SampledAt::tr("Example: 0.1, or 0; 0.5; 2"));
+      return Failure{
+          FailureCode::wrongUsage, "", "",
+          refusalOf(reading, Quantity::length, units).remove(QRegularExpression("\\.$")).toStdString(),
+          SampledAt::tr("Example: 0.1, or 0; 0.5; 2").toStdString()};
     typed.push_back(*reading.value);
   }
-  const double start_mm = graph.press().start_mm(), end_mm = graph.press().end_mm();
-  if (typed.size() != 1) {
-    for (const double at_mm : typed)
-      if (at_mm < start_mm || at_mm > end_mm)
-        return refuse(
-            SampledAt::tr("%1 lies outside the travel").arg(quantityWithUnit(at_mm, Quantity::length, units)),
-            SampledAt::tr("Give travels from %1 to %2")
-                .arg(quantityText(start_mm, Quantity::length, units),
-                     quantityWithUnit(end_mm, Quantity::length, units)));
-    if (typed.empty())
-      return refuse(SampledAt::tr("No travel is given"), SampledAt::tr("Example: 0.1, or 0; 0.5; 2"));
-    return typed;
-  }
-  const double step_mm = typed.front();
-  if (!(step_mm > 0) || (end_mm - start_mm) / step_mm > static_cast<double>(mostSamples))
-    return refuse(SampledAt::tr("The step is too small"),
-                  SampledAt::tr("Give a step above 0, for example 0.1"));
-  std::vector<double> steps;
-  // From zero on, so that the steps are the same for every button; the end is a sample of its own.
-  for (double i = std::ceil(start_mm / step_mm); i * step_mm < end_mm; ++i) steps.push_back(i * step_mm);
-  steps.push_back(end_mm);
-  return steps;
-}
-
-QString csvTextAt(const Button& button, std::size_t state, const std::vector<double>& travels_mm) {
-  DETENT_CHECK(state < button.states().size(), "the state to export is one of the button's");
-  const ForceGraph& graph = button.states()[state].graph;
-  QStringList lines{QStringLiteral("stroke,displacement_mm,force_N")};
-  const auto add = [&lines](const char* stroke, const StrokeCurve& curve, double at_mm) {
-    if (at_mm < curve.start_mm() || at_mm > curve.end_mm()) return;
-    lines << QStringLiteral("%1,%2,%3")
-                 .arg(QLatin1String(stroke), numberText(at_mm, 12), numberText(curve.force_N(at_mm), 12));
-  };
-  for (const double at_mm : travels_mm) add("press", graph.press(), at_mm);
-  if (graph.release())
-    for (auto at = travels_mm.rbegin(); at != travels_mm.rend(); ++at) add("release", *graph.release(), *at);
-  return lines.join('\n') + '\n';
+  return typed.size() == 1 ? travelsAtEach(typed.front(), graph) : travelsWithin(std::move(typed), graph);
 }
 
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path) {

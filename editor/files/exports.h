@@ -24,8 +24,6 @@ Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const Q
 /// outside the travel, or a step that gives too many samples.
 Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& graph,
                                         const DisplayUnits& units);
-/// Samples of one state at these travels, in the same CSV; a stroke has none outside its own travel.
-QString csvTextAt(const Button& button, std::size_t state, const std::vector<double>& travels_mm);
 
 /// Key of the text in a PNG that holds the button, as its file would.
 inline const QString buttonInPicture = QStringLiteral("detent-button");

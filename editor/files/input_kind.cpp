@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/input_kind.h"
 
+#include <algorithm>
+#include <QCollator>
 #include <QCoreApplication>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
@@ -23,6 +26,8 @@ QString pagePatterns() {
   for (const QString& ending : pageEndings()) patterns << "*." + ending;
   return patterns.join(' ');
 }
+
+const char* const tablePatterns = "*.csv *.tsv *.xlsx *.ods";
 
 Failure unreadable(const QString& path, const QString& problem, const QString& remedy) {
   return {FailureCode::unreadableInput, QDir::toNativeSeparators(path).toStdString(), "",
@@ -74,18 +79,29 @@ Result<InputKind> inputKindOf(const QString& path) {
 }
 
 QStringList importFilters() {
-  return {InputKinds::tr("Datasheets, pictures and force meters' logs") + " (" + pagePatterns() +
-              " *.csv *.ods *.tar *.wpd.json)",
+  return {InputKinds::tr("Datasheets, pictures and force meters' logs") + " (" + pagePatterns() + " " +
+              tablePatterns + " *.tar *.wpd.json)",
           InputKinds::tr("All files") + " (*)"};
 }
 
 QStringList openFilters() {
-  const QString buttons = "*.button.json *.json", csv = "*.csv", recorded = "*.ods *.tar";
+  const QString buttons = "*.button.json *.json", csv = "*.csv", recorded = "*.tsv *.xlsx *.ods *.tar";
   return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + recorded + " " +
               pagePatterns() + ")",
           InputKinds::tr("Buttons") + " (" + buttons + ")",
           InputKinds::tr("Datasheets and pictures") + " (" + pagePatterns() + ")",
           InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
+}
+
+QStringList sheetsBelow(const QString& folder) {
+  const QStringList patterns = (pagePatterns() + ' ' + tablePatterns).split(' ');
+  QStringList paths;
+  for (QDirIterator each(folder, patterns, QDir::Files, QDirIterator::Subdirectories); each.hasNext();)
+    paths << each.next();
+  QCollator order(QLocale(QLocale::English));  // the C locale knows no numbers
+  order.setNumericMode(true);
+  std::sort(paths.begin(), paths.end(), order);
+  return paths;
 }
 
 }  // namespace detent::editor

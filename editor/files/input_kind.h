@@ -23,5 +23,7 @@ Result<InputKind> inputKindOf(const QString& path);
 QStringList openFilters();
 /// Filters of a dialogue for sheets to import; the first one: all files that can be imported.
 QStringList importFilters();
+/// Files in `folder` and the folders below it that can be imported, by their endings; "2" before "10".
+QStringList sheetsBelow(const QString& folder);
 
 }  // namespace detent::editor

@@ -58,6 +58,21 @@ QString instruction(RemedyKind kind) {
   return text ? tr(text->instruction) : QString();
 }
 
+/// What the importer's questions ask, and choices that are words.
+[[maybe_unused]] constexpr const char* asked[] = {words("which of the switches"),
+                                                  words("which of the records"),
+                                                  words("the unit of force"),
+                                                  words("the unit of displacement"),
+                                                  words("which curve is the press"),
+                                                  words("what the columns measure"),
+                                                  words("which columns are displacement and force"),
+                                                  words("which column is the force"),
+                                                  words("which column is the displacement"),
+                                                  words("whether a second column of force is the release"),
+                                                  words("their mean"),
+                                                  words("it is the release"),
+                                                  words("it is another record")};
+
 QString joined(const std::vector<RemedyKind>& corrections) {
   QStringList parts;
   for (const RemedyKind each : corrections) parts << instruction(each);
@@ -121,6 +136,14 @@ QString inWords(const std::vector<importer::EvidenceItem>& evidence, const Displ
   QStringList parts;
   for (const Message& message : messagesOf(evidence)) parts << inWords(message, units);
   return parts.join(QStringLiteral("; "));
+}
+
+QString inWords(const importer::Question& question) {
+  QStringList choices;
+  for (const importer::Choice& choice : question.choices) choices << tr(choice.text.c_str());
+  QString what = tr(question.what.c_str());
+  what.replace(0, 1, what.left(1).toUpper());
+  return tr("%1? %2").arg(what, choices.join(QStringLiteral(", ")));
 }
 
 QString textOnButton(RemedyKind correction) {

@@ -32,6 +32,9 @@ QString inWords(const importer::Remark& remark, const DisplayUnits& units);
 /// One line, empty without evidence.
 QString inWords(const std::vector<importer::EvidenceItem>& evidence, const DisplayUnits& units);
 
+/// "Which of the switches? A (#000000), B (#ff0000)"
+QString inWords(const importer::Question& question);
+
 /// "Draw plot frame", on a button; empty of what is not a correction.
 QString textOnButton(RemedyKind correction);
 

@@ -238,9 +238,12 @@ void ImportState::restoreGraphs(int page) {
     restored = each.id;
   }
   std::erase_if(toRestore_, [page](const DraftGraph& each) { return each.id.page == page; });
-  if (!restored) return;
-  emit graphsChanged();
-  selectGraph(toSelect_ && toSelect_->page == page && graphs_.contains(*toSelect_) ? *toSelect_ : *restored);
+  if (restored) emit graphsChanged();
+  if (toSelect_ && toSelect_->page == page) {
+    if (graphs_.contains(*toSelect_)) restored = toSelect_;
+    toSelect_.reset();  // once: a later search selects nothing unasked
+  }
+  if (restored) selectGraph(*restored);
 }
 
 void ImportState::openPicture(const QImage& picture) {
@@ -312,7 +315,7 @@ void ImportState::takeFacts(const DocumentFacts& facts) {
     return;
   }
   askForPages();
-  showPage(1);
+  showPage(toSelect_ ? std::clamp(toSelect_->page, 1, facts.pages) : 1);
 }
 
 void ImportState::askForPages() {
@@ -358,7 +361,7 @@ void ImportState::takeGraphs(const FoundGraphs& found) {
   emit pageChanged(number);
   emit graphsChanged();
   restoreGraphs(number);
-  if (!current_ && !found.graphs.empty()) {
+  if (!current_ && !toSelect_ && !found.graphs.empty()) {
     const auto surest = std::max_element(
         found.graphs.begin(), found.graphs.end(),
         [](const FoundGraph& a, const FoundGraph& b) { return a.listed.confidence < b.listed.confidence; });

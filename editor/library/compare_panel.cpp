@@ -10,6 +10,7 @@
 
 #include "editor/document/csv_field.h"
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/document/graph_colors.h"
 #include "editor/document/message_words.h"
 #include "editor/document/names_in_sight.h"
@@ -50,13 +51,6 @@ Button* button(const char* name, const QString& text, const QString& tip) {
   return made;
 }
 
-QLabel* wrapped(const char* name) {
-  auto* label = described(new QLabel, name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 }  // namespace
 
 ComparePanel::ComparePanel(ViewSettings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
@@ -86,7 +80,7 @@ void ComparePanel::build() {
 QWidget* ComparePanel::plotSide() {
   plot_ = described(new ComparePlot, "comparePlot", {}, tr("The force graphs over each other"));
   plot_->setMinimumHeight(leastPlot_px);
-  reading_ = wrapped("compareReading");
+  reading_ = wrappingLabel("compareReading");
   reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
   connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
     reading_->setText(reading.isEmpty()
@@ -122,7 +116,7 @@ QWidget* ComparePanel::plotSide() {
 QWidget* ComparePanel::figureSide() {
   table_ = differencesTable();
   table_->viewport()->installEventFilter(this);
-  distance_ = wrapped("compareDistance");
+  distance_ = wrappingLabel("compareDistance");
   forecast_ = described(new ForecastBar, "compareForecast");
   more_ = button<QPushButton>("compareAdd", tr("A&dd button"), tr("Show another open button over these"));
   connect(more_, &QPushButton::clicked, this, &ComparePanel::addNext);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/document/message_words.h"
 #include "editor/forecast/forecast_words.h"
 #include "editor/library/compare_plot.h"
@@ -18,13 +19,6 @@ namespace {
 constexpr QSize first_px{720, 560}, leastMorphPlot_px{240, 120};
 constexpr int plotShare = 3, restShare = 2;
 constexpr double morphSideBySideAspect = 1.5;  // width over height from which the plot stands beside the rest
-
-QLabel* wordsOf(const char* name) {
-  auto* label = described(new QLabel, QString::fromLatin1(name));
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 }  // namespace
 
@@ -44,8 +38,8 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   plot_ = described(new ComparePlot, QStringLiteral("morphPlot"), {},
                     tr("The three force graphs over each other"));
   plot_->setMinimumSize(leastMorphPlot_px);
-  forecastFrom_ = wordsOf("morphForecastFrom");
-  forecastTo_ = wordsOf("morphForecastTo");
+  forecastFrom_ = wrappingLabel("morphForecastFrom");
+  forecastTo_ = wrappingLabel("morphForecastTo");
   auto* way = new QHBoxLayout;
   way->addWidget(share_, 1);
   way->addWidget(percent_);

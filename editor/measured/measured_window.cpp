@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/document/message_words.h"
 #include "editor/document/series_colors.h"
 #include "editor/forecast/forecast_words.h"
@@ -50,10 +51,8 @@ class NoGrips : public QProxyStyle {
 };
 
 QLabel* wordsOf(const char* name) {
-  auto* label = described(new QLabel, QString::fromLatin1(name));
-  label->setWordWrap(true);
+  QLabel* label = wrappingLabel(QString::fromLatin1(name));
   label->setTextFormat(Qt::PlainText);  // files name themselves what they like
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
 }
 
@@ -130,8 +129,7 @@ MeasuredWindow::MeasuredWindow(MeasuredContext context, QWidget* parent)
 
 QPushButton* MeasuredWindow::actionButton(const char* name, const QString& text, const QString& tip,
                                           const std::function<void()>& act) {
-  auto* button = described(new QPushButton(text), name, tip);
-  button->setAutoDefault(false);  // the return key belongs to the search
+  QPushButton* button = plainButton(name, text, tip);
   connect(button, &QPushButton::clicked, this, act);
   return button;
 }

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/feel/setup_widgets.h"
 #include "editor/forecast/forecast_words.h"
 #include "editor/study/study_maker.h"
@@ -87,9 +88,7 @@ ExperimenterDialog::ExperimenterDialog(StudyContext context, QWidget* parent)
   title_->setWordWrap(true);
   progress_ = described(new QLabel, "studyProgress");
   progress_->setWordWrap(true);
-  trouble_ = described(new QLabel, "studyTrouble");
-  trouble_->setWordWrap(true);
-  trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  trouble_ = wrappingLabel("studyTrouble");
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(folderRow());
   layout->addWidget(title_);
@@ -105,8 +104,7 @@ ExperimenterDialog::ExperimenterDialog(StudyContext context, QWidget* parent)
 
 QLayout* ExperimenterDialog::folderRow() {
   const auto button = [this](const char* name, const QString& text, const QString& tip, auto act) {
-    auto* made = described(new QPushButton(text), name, tip);
-    made->setAutoDefault(false);
+    QPushButton* made = plainButton(name, text, tip);
     connect(made, &QPushButton::clicked, this, act);
     return made;
   };

@@ -2,6 +2,7 @@
 #include "editor/study/study_maker.h"
 
 #include <cmath>
+#include <functional>
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -9,6 +10,7 @@
 #include <QSet>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "editor/document/described.h"
 #include "editor/document/number_text.h"
@@ -66,6 +68,15 @@ QLineEdit* numbersField(const char* name, const std::vector<double>& numbers, co
   auto* field = described(new QLineEdit(texts.join("; ")), name, tip);
   field->setPlaceholderText(texts.join("; "));
   return field;
+}
+
+/// A field with a button beside it that fills it from a file dialogue.
+QWidget* browsedRow(QLineEdit* field, QPushButton* browse, std::function<QString()> choose) {
+  browse->setAutoDefault(false);
+  QObject::connect(browse, &QPushButton::clicked, field, [field, choose = std::move(choose)] {
+    if (const QString chosen = choose(); !chosen.isEmpty()) field->setText(chosen);
+  });
+  return rowOf({field, browse});
 }
 
 }  // namespace
@@ -127,6 +138,7 @@ QLayout* StudyMaker::designForm() {
   practice_ = countField("makerPractice", 0, playback::mostPractice, usualPractice,
                          tr("Questions before the first that counts"));
   makeTimingFields();
+  makeSoundFields();
   full_ = modeBox("makerFull", tr("everything"), true);
   clicks_ = modeBox("makerClicks", tr("clicks only"), false);
   slopes_ = modeBox("makerSlopes", tr("slopes only"), false);
@@ -153,12 +165,17 @@ QLayout* StudyMaker::designForm() {
   form->addRow(tr("&Questions each:"), trials_);
   form->addRow(tr("&Practice:"), practice_);
   form->addRow(tr("Feedback:"), rowOf({full_, clicks_, slopes_}));
+  form->addRow(tr("Soun&d:"), sound_);
+  form->addRow(tr("Recordin&g:"), recordingRow());
+  form->addRow(tr("&Level, dB:"), soundLevel_dB_);
+  form->addRow(tr("Dela&y, ms:"), soundDelay_ms_);
   form->addRow(tr("Device profile:"),
                new QLabel(profileFile_.isEmpty() ? tr("none (chosen under Setup of Feel it)")
                                                  : QFileInfo(profileFile_).fileName()));
   form->addRow(tr("C&onsent texts:"), consentRow());
   for (QWidget* field :
-       std::initializer_list<QWidget*>{quantity_, scale_, task_, intervals_, windows_, run_s_})
+       std::initializer_list<QWidget*>{quantity_, scale_, task_, intervals_, windows_, run_s_, recordingRow_,
+                                       soundLevel_dB_, soundDelay_ms_})
     form->setRowVisible(field, false);
   return form;
 }
@@ -191,13 +208,53 @@ QWidget* StudyMaker::consentRow() {
          "several parted by semicolons"));
   consent_->setPlaceholderText(tr("a short text in English and German"));
   auto* browse = described(new QPushButton(tr("C&hoose…")), "makerConsentBrowse", tr("Choose consent texts"));
-  browse->setAutoDefault(false);
-  connect(browse, &QPushButton::clicked, this, [this] {
-    const QStringList files =
-        QFileDialog::getOpenFileNames(this, tr("Consent texts"), QDir::homePath(), tr("Texts (*.txt)"));
-    if (!files.isEmpty()) consent_->setText(files.join("; "));
+  return browsedRow(consent_, browse, [this] {
+    return QFileDialog::getOpenFileNames(this, tr("Consent texts"), QDir::homePath(), tr("Texts (*.txt)"))
+        .join("; ");
   });
-  return rowOf({consent_, browse});
+}
+
+/// The sound of a press: nothing, the vibration, or a recording; then its level and delay.
+void StudyMaker::makeSoundFields() {
+  sound_ = comboBox("makerSound", tr("What participants hear of each press, beside the vibration"));
+  addChoice(sound_, tr("nothing"), static_cast<int>(HeardSound::nothing));
+  addChoice(sound_, tr("the vibration itself"), static_cast<int>(HeardSound::vibration));
+  addChoice(sound_, tr("a recording"), static_cast<int>(HeardSound::recording));
+  recording_ =
+      described(new QLineEdit, "makerRecording",
+                tr("A sound file of at most 5 s that begins with the click; it plays once per press"));
+  soundLevel_dB_ =
+      described(new QuantityField(Quantity::number, {}), "makerSoundLevel",
+                tr("dB added to the sound, %1 to %2")
+                    .arg(numberText(playback::softestSound_dB), numberText(playback::loudestSound_dB)));
+  soundLevel_dB_->setRange({playback::softestSound_dB, playback::loudestSound_dB});
+  soundLevel_dB_->setValue(playback::StudySound{}.level_dB);
+  soundDelay_ms_ = described(new QuantityField(Quantity::number, {}), "makerSoundDelay",
+                             tr("Milliseconds from the click to its sound, 0 to %1")
+                                 .arg(numberText(playback::longestSoundDelay_ms)));
+  soundDelay_ms_->setRange({0, playback::longestSoundDelay_ms});
+  soundDelay_ms_->setValue(playback::StudySound{}.delay_ms);
+  connect(sound_, &QComboBox::currentIndexChanged, this, &StudyMaker::kindOfSoundChosen);
+  connect(recording_, &QLineEdit::textChanged, this, &StudyMaker::showLength);
+  for (QuantityField* field : {soundLevel_dB_, soundDelay_ms_})
+    connect(field, &QuantityField::refusalChanged, this, &StudyMaker::showLength);
+}
+
+QWidget* StudyMaker::recordingRow() {
+  auto* browse = described(new QPushButton(tr("Choos&e…")), "makerRecordingBrowse",
+                           tr("Choose a recording of the press"));
+  recordingRow_ = browsedRow(recording_, browse, [this] {
+    return QFileDialog::getOpenFileName(this, tr("Recording of a press"), QDir::homePath(),
+                                        tr("Sounds (*.wav *.flac *.ogg)") + ";;" + tr("All files (*)"));
+  });
+  return recordingRow_;
+}
+
+void StudyMaker::kindOfSoundChosen() {
+  form_->setRowVisible(recordingRow_, heard() == HeardSound::recording);
+  for (QuantityField* field : {soundLevel_dB_, soundDelay_ms_})
+    form_->setRowVisible(field, heard() != HeardSound::nothing);
+  showLength();
 }
 
 /// The usual number of trials of a kind is the initial value.
@@ -219,17 +276,15 @@ QLayout* StudyMaker::folderRow() {
       described(new QLineEdit, "makerFolder", tr("A new folder; it holds the whole study and can be copied"));
   auto* browse =
       described(new QPushButton(tr("&Choose…")), "makerBrowse", tr("Choose where the folder is made"));
-  browse->setAutoDefault(false);
-  connect(browse, &QPushButton::clicked, this, [this] {
-    const QString folder = QFileDialog::getSaveFileName(this, tr("Folder of the study"), QDir::homePath());
-    if (!folder.isEmpty()) folder_->setText(folder);
-  });
   auto* label = new QLabel(tr("&Folder:"));
   label->setBuddy(folder_);
   auto* row = new QHBoxLayout;
   row->addWidget(label);
-  row->addWidget(folder_, 1);
-  row->addWidget(browse);
+  row->addWidget(
+      browsedRow(
+          folder_, browse,
+          [this] { return QFileDialog::getSaveFileName(this, tr("Folder of the study"), QDir::homePath()); }),
+      1);
   return row;
 }
 
@@ -257,6 +312,14 @@ playback::StudyDesign StudyMaker::design() const {
   design.run_s = run_s_->value();
   design.trials = static_cast<std::size_t>(trials_->value());
   design.practice = static_cast<std::size_t>(practice_->value());
+  if (heard() == HeardSound::vibration) design.sound.source = playback::renderedSound;
+  if (heard() == HeardSound::recording)
+    design.sound.source =
+        QFile::encodeName(QFileInfo(recording_->text().trimmed()).absoluteFilePath()).toStdString();
+  if (heard() != HeardSound::nothing) {
+    design.sound.level_dB = soundLevel_dB_->value();
+    design.sound.delay_ms = soundDelay_ms_->value();
+  }
   design.modes.clear();
   if (full_->isChecked()) design.modes.push_back(playback::FeedbackMode::full);
   if (clicks_->isChecked()) design.modes.push_back(playback::FeedbackMode::clickOnly);
@@ -277,7 +340,10 @@ void StudyMaker::showLength() {
   const playback::StudyDesign planned = design();
   const std::size_t buttons = chosen().size();
   const Result<Done> possible = playback::checkDesign(planned, buttons);
-  const bool readable = trials_->acceptable() && practice_->acceptable() && run_s_->acceptable();
+  bool readable = heard() != HeardSound::recording || !recording_->text().trimmed().isEmpty();
+  for (const QuantityField* field : {trials_, practice_, run_s_}) readable = readable && field->acceptable();
+  if (heard() != HeardSound::nothing)
+    readable = readable && soundLevel_dB_->acceptable() && soundDelay_ms_->acceptable();
   make_->setEnabled(possible.ok() && readable && !folder_->text().trimmed().isEmpty());
   if (!possible) return length_->setText(studySentence(possible.failure()));
   const std::size_t cells = playback::asksForPairs(planned) ? playback::pairsOf(buttons).size() : buttons;

@@ -36,12 +36,17 @@ class StudyMaker : public QDialog {
   QLayout* designForm();
   QLayout* folderRow();
   QWidget* consentRow();
+  QWidget* recordingRow();
   void makeTimingFields();
+  void makeSoundFields();
+  void kindOfSoundChosen();
   QLayout* actionRow();
   void kindChosen();
   playback::TimingTask task() const {
     return static_cast<playback::TimingTask>(task_->currentData().toInt());
   }
+  enum class HeardSound { nothing, vibration, recording };
+  HeardSound heard() const { return static_cast<HeardSound>(sound_->currentData().toInt()); }
   playback::StudyKind kind() const { return static_cast<playback::StudyKind>(kind_->currentData().toInt()); }
   playback::StudyDesign design() const;
   Result<std::vector<playback::ConsentText>> consents() const;
@@ -55,9 +60,11 @@ class StudyMaker : public QDialog {
   QString profileFile_;
   QListWidget* list_ = nullptr;
   QFormLayout* form_ = nullptr;
-  QComboBox *kind_ = nullptr, *quantity_ = nullptr, *scale_ = nullptr, *task_ = nullptr;
-  QLineEdit *intervals_ = nullptr, *windows_ = nullptr, *consent_ = nullptr;
-  QuantityField *trials_ = nullptr, *practice_ = nullptr, *run_s_ = nullptr;
+  QComboBox *kind_ = nullptr, *quantity_ = nullptr, *scale_ = nullptr, *task_ = nullptr, *sound_ = nullptr;
+  QLineEdit *intervals_ = nullptr, *windows_ = nullptr, *consent_ = nullptr, *recording_ = nullptr;
+  QWidget* recordingRow_ = nullptr;
+  QuantityField *trials_ = nullptr, *practice_ = nullptr, *run_s_ = nullptr, *soundLevel_dB_ = nullptr,
+                *soundDelay_ms_ = nullptr;
   QCheckBox *full_ = nullptr, *clicks_ = nullptr, *slopes_ = nullptr;
   QLineEdit* folder_ = nullptr;
   QLabel *length_ = nullptr, *trouble_ = nullptr;

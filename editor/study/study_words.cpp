@@ -40,6 +40,11 @@ constexpr Field fields[] = {
     {"--practice", "detent::editor::StudyMaker",
      QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "&Practice:")},
     {"--modes", "detent::editor::StudyMaker", QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Feedback:")},
+    {"--sound", "detent::editor::StudyMaker", QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Soun&d:")},
+    {"--sound-level", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "&Level, dB:")},
+    {"--sound-delay", "detent::editor::StudyMaker",
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Dela&y, ms:")},
     {"--consent", "detent::editor::StudyMaker",
      QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "C&onsent texts:")},
 };

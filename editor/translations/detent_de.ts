@@ -540,26 +540,6 @@ Lizenz: %3</translation>
         <source>Example: 0.1, or 0; 0.5; 2</source>
         <translation>Beispiel: 0,1 oder 0; 0,5; 2</translation>
     </message>
-    <message>
-        <source>%1 lies outside the travel</source>
-        <translation>%1 liegt außerhalb des Wegs</translation>
-    </message>
-    <message>
-        <source>Give travels from %1 to %2</source>
-        <translation>Geben Sie Wege von %1 bis %2 an</translation>
-    </message>
-    <message>
-        <source>No travel is given</source>
-        <translation>Es ist kein Weg angegeben</translation>
-    </message>
-    <message>
-        <source>The step is too small</source>
-        <translation>Der Schritt ist zu klein</translation>
-    </message>
-    <message>
-        <source>Give a step above 0, for example 0.1</source>
-        <translation>Geben Sie einen Schritt über 0 an, zum Beispiel 0,1</translation>
-    </message>
 </context>
 <context>
     <name>StateName</name>
@@ -1729,6 +1709,38 @@ Lizenz: %3</translation>
         <source>masked</source>
         <translation>verdeckt</translation>
     </message>
+    <message>
+        <source>%1 lies outside the travel</source>
+        <translation>%1 liegt außerhalb des Weges</translation>
+    </message>
+    <message>
+        <source>Give travels from %1 to %2</source>
+        <translation>Geben Sie Wege von %1 bis %2 an</translation>
+    </message>
+    <message>
+        <source>the step is not above 0</source>
+        <translation>die Schrittweite ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>Give a step such as 0.1 mm</source>
+        <translation>Geben Sie eine Schrittweite wie 0,1 mm an</translation>
+    </message>
+    <message>
+        <source>the step is too small: the table would have more than 100000 rows</source>
+        <translation>die Schrittweite ist zu klein: Die Tabelle hätte mehr als 100000 Zeilen</translation>
+    </message>
+    <message>
+        <source>Give a larger step</source>
+        <translation>Geben Sie eine größere Schrittweite an</translation>
+    </message>
+    <message>
+        <source>no travel is given</source>
+        <translation>kein Weg ist angegeben</translation>
+    </message>
+    <message>
+        <source>Give at least one</source>
+        <translation>Geben Sie mindestens einen an</translation>
+    </message>
 </context>
 <context>
     <name>detent::Bending</name>
@@ -2773,6 +2785,62 @@ Lizenz: %3</translation>
         <source>slope %1</source>
         <translation>Steigung %1</translation>
     </message>
+    <message>
+        <source>which of the switches</source>
+        <translation>welcher der Schalter</translation>
+    </message>
+    <message>
+        <source>which of the records</source>
+        <translation>welche der Messungen</translation>
+    </message>
+    <message>
+        <source>the unit of force</source>
+        <translation>die Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>the unit of displacement</source>
+        <translation>die Einheit des Weges</translation>
+    </message>
+    <message>
+        <source>which curve is the press</source>
+        <translation>welche Kurve ist der Druck</translation>
+    </message>
+    <message>
+        <source>what the columns measure</source>
+        <translation>was die Spalten messen</translation>
+    </message>
+    <message>
+        <source>which columns are displacement and force</source>
+        <translation>welche Spalten sind Weg und Kraft</translation>
+    </message>
+    <message>
+        <source>which column is the force</source>
+        <translation>welche Spalte ist die Kraft</translation>
+    </message>
+    <message>
+        <source>which column is the displacement</source>
+        <translation>welche Spalte ist der Weg</translation>
+    </message>
+    <message>
+        <source>whether a second column of force is the release</source>
+        <translation>ob eine zweite Spalte mit Kräften das Loslassen ist</translation>
+    </message>
+    <message>
+        <source>their mean</source>
+        <translation>ihr Mittel</translation>
+    </message>
+    <message>
+        <source>it is the release</source>
+        <translation>es ist das Loslassen</translation>
+    </message>
+    <message>
+        <source>it is another record</source>
+        <translation>es ist eine andere Messung</translation>
+    </message>
+    <message>
+        <source>%1? %2</source>
+        <translation>%1? %2</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -3273,6 +3341,144 @@ Lizenz: %3</translation>
     <message>
         <source>%1 of %2 labels used (fit %3 px)</source>
         <translation>%1 von %2 Zahlen verwendet (Abweichung %3 px)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::BatchDialog</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Results of the batch</source>
+        <translation>Ergebnisse des Stapels</translation>
+    </message>
+    <message>
+        <source>Files finished</source>
+        <translation>Fertige Dateien</translation>
+    </message>
+    <message>
+        <source>Import many files</source>
+        <translation>Viele Dateien importieren</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Liest …</translation>
+    </message>
+    <message>
+        <source>Choose &amp;files…</source>
+        <translation>&amp;Dateien wählen …</translation>
+    </message>
+    <message>
+        <source>Import these files in place of those listed</source>
+        <translation>Diese Dateien statt der aufgeführten importieren</translation>
+    </message>
+    <message>
+        <source>Choose a f&amp;older…</source>
+        <translation>&amp;Ordner wählen …</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop; finished files keep their results</source>
+        <translation>Anhalten; fertige Dateien behalten ihre Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Open in the &amp;import dialogue</source>
+        <translation>Im &amp;Importdialog öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;buttons</source>
+        <translation>&amp;Taster öffnen</translation>
+    </message>
+    <message>
+        <source>Open the selected buttons in tabs</source>
+        <translation>Die gewählten Taster in Reitern öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save buttons…</source>
+        <translation>Taster &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Save the selected buttons in a folder, or all if none is selected</source>
+        <translation>Die gewählten Taster in einem Ordner speichern; ist keiner gewählt, alle</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Page %1, graph %2</source>
+        <translation>Seite %1, Graph %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files. Buttons: %3, questions: %4, refused: %5.</source>
+        <translation>%1 von %2 Dateien. Taster: %3, Fragen: %4, abgelehnt: %5.</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Saved %1 of %2 buttons. %3</source>
+        <translation>%1 von %2 Tastern gespeichert. %3</translation>
+    </message>
+    <message>
+        <source>Buttons saved in %2: %1.</source>
+        <translation>In %2 gespeicherte Taster: %1.</translation>
+    </message>
+    <message>
+        <source>Choose files or a folder. Every graph in them is imported in the background.</source>
+        <translation>Wählen Sie Dateien oder einen Ordner. Jeder Graph darin wird im Hintergrund importiert.</translation>
+    </message>
+    <message>
+        <source>Import all datasheets, pictures and tables in a folder and the folders below it</source>
+        <translation>Alle Datenblätter, Bilder und Tabellen eines Ordners und der Ordner darin importieren</translation>
+    </message>
+    <message>
+        <source>No datasheet, picture or table was found in %1.</source>
+        <translation>In %1 wurde kein Datenblatt, kein Bild und keine Tabelle gefunden.</translation>
+    </message>
+    <message>
+        <source>Check what was found on the page, answer the question, or correct the result</source>
+        <translation>Auf der Seite prüfen, was gefunden wurde, die Frage beantworten oder das Ergebnis korrigieren</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::BatchImport</name>
+    <message>
+        <source>It needs more memory than there is.</source>
+        <translation>Sie braucht mehr Speicher, als da ist.</translation>
     </message>
 </context>
 <context>
@@ -4493,6 +4699,18 @@ Lizenz: %3</translation>
         <source>sample-datasheet</source>
         <translation>Beispiel-Datenblatt</translation>
     </message>
+    <message>
+        <source>Import many files</source>
+        <translation>Viele Dateien importieren</translation>
+    </message>
+    <message>
+        <source>Import a folder</source>
+        <translation>Einen Ordner importieren</translation>
+    </message>
+    <message>
+        <source>Save the buttons in</source>
+        <translation>Taster speichern in</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::FilterBar</name>
@@ -4940,6 +5158,73 @@ Lizenz: %3</translation>
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::GlossaryWindow</name>
+    <message>
+        <source>travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Glossary</source>
+        <translation>Glossar</translation>
+    </message>
+    <message>
+        <source>Solid: the press. Dashed: the release. Red: what the term means.</source>
+        <translation>Durchgezogen: Drücken. Gestrichelt: Loslassen. Rot: was der Begriff bedeutet.</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>Where the contact closes while the button is pressed. Keyboards call it the actuation point. Its force is the operating force.</source>
+        <translation>Hier schließt der Kontakt beim Drücken. Bei Tastaturen heißt er Auslösepunkt. Die Kraft dort ist die Schaltkraft.</translation>
+    </message>
+    <message>
+        <source>Tactile peak</source>
+        <translation>Druckpunkt</translation>
+    </message>
+    <message>
+        <source>The force to overcome before the button gives way. The finger feels the drop behind it as a click.</source>
+        <translation>Diese Kraft ist zu überwinden, bevor der Taster nachgibt. Den Abfall dahinter spürt der Finger als Klick.</translation>
+    </message>
+    <message>
+        <source>Bottom-out</source>
+        <translation>Anschlag</translation>
+    </message>
+    <message>
+        <source>Pre-travel and over-travel</source>
+        <translation>Vorlaufweg und Nachlaufweg</translation>
+    </message>
+    <message>
+        <source>The way to the operating point, and the way from there to the end. Both together are the total travel.</source>
+        <translation>Der Weg bis zum Schaltpunkt und der Weg von dort bis zum Ende. Beide zusammen sind der Gesamtweg.</translation>
+    </message>
+    <message>
+        <source>Reset point and hysteresis</source>
+        <translation>Rückschaltpunkt und Hysterese</translation>
+    </message>
+    <message>
+        <source>Snap ratio</source>
+        <translation>Schnappverhältnis</translation>
+    </message>
+    <message>
+        <source>The drop behind the peak, as a share of the peak force: 0 % for a linear button, about 40 % and more for a crisp one.</source>
+        <translation>Der Abfall hinter dem Druckpunkt als Anteil seiner Kraft: 0 % bei einem linearen Taster, etwa 40 % und mehr bei einem knackigen.</translation>
+    </message>
+    <message>
+        <source>Where the button meets its end stop: from here on the force rises steeply and the travel ends.</source>
+        <translation>Hier trifft der Taster auf seinen Anschlag: Von da an steigt die Kraft steil, und der Weg endet.</translation>
+    </message>
+    <message>
+        <source>On its way back the button pushes less (dashed), and the contact opens later, at the reset point. The area between the curves is the energy that a press loses.</source>
+        <translation>Auf dem Rückweg drückt der Taster schwächer (gestrichelt), und der Kontakt öffnet später, am Rückschaltpunkt. Die Fläche zwischen den Kurven ist die Energie, die bei einem Druck verloren geht.</translation>
     </message>
 </context>
 <context>
@@ -5483,6 +5768,45 @@ Lizenz: %3</translation>
     <message>
         <source>Step of the grid along the force</source>
         <translation>Schrittweite des Rasters entlang der Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::GuideWindow</name>
+    <message>
+        <source>%1 is part of Detent&apos;s sources; it is not installed with the program.</source>
+        <translation>%1 gehört zu den Quelltexten von Detent und wird nicht mit dem Programm installiert.</translation>
+    </message>
+    <message>
+        <source>User&apos;s guide</source>
+        <translation>Benutzerhandbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
+    </message>
+    <message>
+        <source>The first page of the guide</source>
+        <translation>Die erste Seite des Handbuchs</translation>
+    </message>
+    <message>
+        <source>Find on this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Vorige Seite</translation>
+    </message>
+    <message>
+        <source>Press Enter to find the next match</source>
+        <translation>Die Eingabetaste sucht die nächste Stelle</translation>
+    </message>
+    <message>
+        <source>The guide is not installed. It belongs in the folder share/detent/docs beside the program&apos;s folder. Install the package again.</source>
+        <translation>Das Handbuch ist nicht installiert. Es gehört in den Ordner share/detent/docs neben dem Ordner des Programms. Installieren Sie das Paket noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -6435,14 +6759,6 @@ Lizenz: %3</translation>
         <translation>&amp;Ansicht</translation>
     </message>
     <message>
-        <source>&amp;Units</source>
-        <translation>&amp;Einheiten</translation>
-    </message>
-    <message>
-        <source>&amp;Appearance</source>
-        <translation>Er&amp;scheinungsbild</translation>
-    </message>
-    <message>
         <source>&amp;Next panel</source>
         <translation>&amp;Nächster Bereich</translation>
     </message>
@@ -6473,22 +6789,6 @@ Lizenz: %3</translation>
     <message>
         <source>Show forces in %1</source>
         <translation>Kräfte in %1 zeigen</translation>
-    </message>
-    <message>
-        <source>As the &amp;system</source>
-        <translation>Wie das &amp;System</translation>
-    </message>
-    <message>
-        <source>Light or dark as the desktop is</source>
-        <translation>Hell oder dunkel wie der Desktop</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>&amp;Hell</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>&amp;Button</source>
@@ -6767,14 +7067,6 @@ Lizenz: %3</translation>
         <translation>Den Taster drücken, hören und seine Schwingung sehen</translation>
     </message>
     <message>
-        <source>Dark text on light background</source>
-        <translation>Dunkle Schrift auf hellem Grund</translation>
-    </message>
-    <message>
-        <source>Light text on dark background</source>
-        <translation>Helle Schrift auf dunklem Grund</translation>
-    </message>
-    <message>
         <source>&amp;Blend two buttons…</source>
         <translation>Zwei Taster &amp;mischen …</translation>
     </message>
@@ -6801,6 +7093,38 @@ Lizenz: %3</translation>
     <message>
         <source>%1, kept</source>
         <translation>%1, behalten</translation>
+    </message>
+    <message>
+        <source>Import &amp;many files…</source>
+        <translation>&amp;Viele Dateien importieren …</translation>
+    </message>
+    <message>
+        <source>Import files or a folder in the background, with a list of results</source>
+        <translation>Dateien oder einen Ordner im Hintergrund importieren, mit einer Liste der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Units, theme, language and layout</source>
+        <translation>Einheiten, Farben, Sprache und Anordnung</translation>
+    </message>
+    <message>
+        <source>&amp;User&apos;s guide</source>
+        <translation>&amp;Benutzerhandbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>&amp;Glossar</translation>
+    </message>
+    <message>
+        <source>Read how to use Detent</source>
+        <translation>Lesen, wie man Detent benutzt</translation>
+    </message>
+    <message>
+        <source>Show in pictures what each figure measures</source>
+        <translation>In Bildern zeigen, was jeder Kennwert misst</translation>
     </message>
 </context>
 <context>
@@ -7521,6 +7845,73 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Click the release curve.</source>
         <translation>Klicken Sie die Kurve des Rückwegs an.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>Z&amp;urücksetzen</translation>
+    </message>
+    <message>
+        <source>Layout of the window:</source>
+        <translation>Anordnung des Fensters:</translation>
+    </message>
+    <message>
+        <source>Unit of all displacements that are shown or typed</source>
+        <translation>Einheit aller Wege, die gezeigt oder eingegeben werden</translation>
+    </message>
+    <message>
+        <source>Unit of all forces that are shown or typed</source>
+        <translation>Einheit aller Kräfte, die gezeigt oder eingegeben werden</translation>
+    </message>
+    <message>
+        <source>&amp;Displacement:</source>
+        <translation>&amp;Weg:</translation>
+    </message>
+    <message>
+        <source>&amp;Force:</source>
+        <translation>&amp;Kraft:</translation>
+    </message>
+    <message>
+        <source>Light or dark window</source>
+        <translation>Helles oder dunkles Fenster</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Farben:</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Sprache:</translation>
+    </message>
+    <message>
+        <source>Move all panels back to their initial places</source>
+        <translation>Alle Felder an ihre anfänglichen Plätze zurückstellen</translation>
+    </message>
+    <message>
+        <source>same as system</source>
+        <translation>wie das System</translation>
+    </message>
+    <message>
+        <source>Language of all texts and format of numbers</source>
+        <translation>Sprache aller Texte und Schreibweise der Zahlen</translation>
+    </message>
+    <message>
+        <source>The language changes when Detent is restarted.</source>
+        <translation>Die Sprache wechselt, wenn Detent neu gestartet wird.</translation>
     </message>
 </context>
 <context>
@@ -8301,6 +8692,70 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Are the two the same?</source>
         <translation>Sind die zwei gleich?</translation>
+    </message>
+    <message>
+        <source>Soun&amp;d:</source>
+        <translation>&amp;Ton:</translation>
+    </message>
+    <message>
+        <source>Recordin&amp;g:</source>
+        <translation>Aufna&amp;hme:</translation>
+    </message>
+    <message>
+        <source>&amp;Level, dB:</source>
+        <translation>P&amp;egel, dB:</translation>
+    </message>
+    <message>
+        <source>Dela&amp;y, ms:</source>
+        <translation>Verz&amp;ögerung, ms:</translation>
+    </message>
+    <message>
+        <source>What participants hear of each press, beside the vibration</source>
+        <translation>Was die Teilnehmer bei jedem Druck hören, neben der Vibration</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the vibration itself</source>
+        <translation>die Vibration selbst</translation>
+    </message>
+    <message>
+        <source>a recording</source>
+        <translation>eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>dB added to the sound, %1 to %2</source>
+        <translation>dB, um die der Ton angehoben wird, %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Milliseconds from the click to its sound, 0 to %1</source>
+        <translation>Millisekunden vom Klick bis zu seinem Ton, 0 bis %1</translation>
+    </message>
+    <message>
+        <source>Choos&amp;e…</source>
+        <translation>Wäh&amp;len …</translation>
+    </message>
+    <message>
+        <source>Choose a recording of the press</source>
+        <translation>Eine Aufnahme des Drucks wählen</translation>
+    </message>
+    <message>
+        <source>Recording of a press</source>
+        <translation>Aufnahme eines Drucks</translation>
+    </message>
+    <message>
+        <source>Sounds (*.wav *.flac *.ogg)</source>
+        <translation>Töne (*.wav *.flac *.ogg)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A sound file of at most 5 s that begins with the click; it plays once per press</source>
+        <translation>Eine Tondatei von höchstens 5 s, die mit dem Klick beginnt; sie erklingt einmal je Druck</translation>
     </message>
 </context>
 <context>
@@ -10024,9 +10479,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Open it in a spreadsheet program and save it there</source>
         <translation>In einem Tabellenprogramm öffnen und dort speichern</translation>
     </message>
-</context>
-<context>
-    <name>detent::importer::LogReader::Refuse</name>
     <message>
         <source>no column is a displacement; its columns are %1</source>
         <translation>keine Spalte ist ein Weg; ihre Spalten sind %1</translation>

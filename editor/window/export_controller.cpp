@@ -7,6 +7,7 @@
 #include "editor/library/compare_panel.h"
 #include "editor/library/compare_plot.h"
 #include "model/file/text_file.h"
+#include "model/file/travel_steps.h"
 
 namespace detent::editor {
 namespace {
@@ -67,11 +68,10 @@ void ExportController::csvAt(DocumentTab& tab) {
   const auto travels_mm = travelsFrom(*typed, document.graph(), units);
   if (!travels_mm)
     return tab.notices().say("export", NoticeBar::Kind::trouble,
-                             tr("Not exported: %1").arg(sentenceOf(travels_mm.failure())));
+                             tr("Not exported: %1").arg(sentenceOf(travels_mm.failure(), units)));
   write(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv", [&](const QString& path) {
-    return writeTextFileAtomically(
-        QFile::encodeName(path).toStdString(),
-        csvTextAt(document.button(), document.activeState(), *travels_mm).toStdString());
+    return writeTextFileAtomically(QFile::encodeName(path).toStdString(),
+                                   csvAtTravels(*travels_mm, document.graph()));
   });
 }
 

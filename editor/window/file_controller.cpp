@@ -6,9 +6,11 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "editor/document/form_widgets.h"
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/input_kind.h"
+#include "editor/importing/batch_dialog.h"
 #include "model/check.h"
 #include "model/file/text_file.h"
 
@@ -81,6 +83,28 @@ void FileController::importByDialog() {
       at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), importFilters());
   for (const QString& path : chosen) at_.rememberFolder(path);
   sheets_.importFiles(chosen);
+}
+
+void FileController::importMany() {
+  if (!batch_) {
+    BatchPlaces context;
+    context.files = [this](QWidget* parent) {
+      const QStringList chosen =
+          at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folder(), importFilters());
+      if (!chosen.isEmpty()) at_.rememberFolder(chosen.front());
+      return chosen;
+    };
+    context.folder = [this](QWidget* parent) {
+      return at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
+    };
+    context.folderToSave = [this](QWidget* parent) {
+      return at_.prompts.folder(parent, tr("Save the buttons in"), at_.folder());
+    };
+    context.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
+    context.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
+    batch_ = new BatchDialog(at_.view, std::move(context), &at_.window);
+  }
+  bringUp(*batch_);
 }
 
 // As a file of its own: it can be opened again, and its page comes back like any other.

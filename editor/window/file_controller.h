@@ -14,6 +14,8 @@ class QMimeData;
 
 namespace detent::editor {
 
+class BatchDialog;
+
 /// Troubles are said as notices where they happen; nothing here changes a document that is open because
 /// another file is broken. GUI thread.
 class FileController : public QObject {
@@ -29,6 +31,8 @@ class FileController : public QObject {
   void newButton();
   void openByDialog();
   void importByDialog();
+  /// Many sheets at once, in a window beside this one.
+  void importMany();
   /// A datasheet that comes with the program.
   void importSample();
   /// Buttons in tabs, sheets one after the other in the import dialogue.
@@ -73,6 +77,7 @@ class FileController : public QObject {
   SheetController sheets_;
   RecoveryController leftBehind_;
   ExportController exports_;
+  BatchDialog* batch_ = nullptr;  ///< the window's; made when it is first needed
 };
 
 }  // namespace detent::editor

@@ -23,6 +23,7 @@
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/document/message_words.h"
 #include "editor/feel/feel_panel.h"
 #include "editor/files/document_files.h"
@@ -100,12 +101,6 @@ QScrollArea* scrolledArea(const char* name, const QString& title) {
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
   return area;
-}
-
-void bringUp(QWidget& window) {
-  window.show();
-  window.raise();
-  window.activateWindow();
 }
 
 }  // namespace
@@ -699,6 +694,7 @@ void MainWindow::applyAppearance() {
 void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray()))
     resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  firstState_ = saveState(stateVersion);
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
   inspector_px_ = at_.settings.value("window/inspector_px").toInt();
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
@@ -725,6 +721,19 @@ void MainWindow::sizeDocks() {
 void MainWindow::keepInspectorWidth() {
   for (const QDockWidget* dock : inspectorDocks())
     if (!dock->isFloating() && !dock->visibleRegion().isEmpty()) inspector_px_ = dock->width();
+}
+
+// As at the first start, whatever view is shown.
+void MainWindow::resetLayout() {
+  const bool away = docksAway_;
+  putDocksAway(false);
+  restoreState(firstState_, stateVersion);
+  libraryDock_->setVisible(width() >= leastForLibrary_px);
+  docksAreNew_ = true;
+  sizeDocks();
+  const int inspector_px = inspector_px_;  // docks that are laid out later still have their old width
+  putDocksAway(away);
+  inspector_px_ = inspector_px;
 }
 
 void MainWindow::storeWindow() {

@@ -102,7 +102,6 @@ class MainWindow : public QMainWindow {
   void makeEditActions();
   void makeViewActions();
   void makeUnitActions(QMenu* menu);
-  void makeAppearanceActions(QMenu* menu);
   void makeWindowActions();
   void makeHelpActions();
   void makeToolBar();
@@ -111,6 +110,7 @@ class MainWindow : public QMainWindow {
   void updateUndo();
   void updateRecent();
   void fillReferences(QMenu& menu);
+  void showPreferences();
   void showShortcuts();
   void showAbout();
 
@@ -131,6 +131,7 @@ class MainWindow : public QMainWindow {
   QList<QDockWidget*> inspectorDocks() const;
   void sizeDocks();
   void keepInspectorWidth();
+  void resetLayout();
   void writeComparison();
   std::vector<ButtonDocument*> openAll(const std::vector<Button>& buttons);
   void updateTitle();
@@ -173,6 +174,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget *values_ = nullptr, *inspector_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
                  *annotations_ = nullptr;
   MeasuredWindow* measured_ = nullptr;
+  QPointer<QDialog> guide_, glossary_, preferences_;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *inspectorDock_ = nullptr,
               *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr;
   QStackedWidget* centre_ = nullptr;  // buttons with the feel panel below them, or the comparison
@@ -183,6 +185,7 @@ class MainWindow : public QMainWindow {
   bool docksAway_ = false;
   QList<QDockWidget*> awayDocks_;    // docks that come back with the view of editing
   QPointer<QDockWidget> frontDock_;  // of docks that share a place
+  QByteArray firstState_;            // of the docks, before any was moved
   bool docksAreNew_ = false;         // nothing was kept of how they were arranged
   int inspector_px_ = 0;             // width of the docks at the right; 0: not known yet
   QComboBox* other_ = nullptr;       // which button is B of the feel panel

@@ -12,20 +12,23 @@
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/document/line_icon.h"
 #include "editor/measured/measured_window.h"
+#include "editor/quantity/offered_units.h"
+#include "editor/study/participant_language.h"
+#include "editor/window/help_window.h"
 #include "editor/window/main_window.h"
+#include "editor/window/preferences_dialog.h"
 
 namespace detent::editor {
 namespace {
 
-constexpr LengthUnit lengthUnits[] = {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch,
-                                      LengthUnit::mil};
-constexpr ForceUnit forceUnits[] = {ForceUnit::centinewton, ForceUnit::newton,     ForceUnit::millinewton,
-                                    ForceUnit::gramForce,   ForceUnit::ounceForce, ForceUnit::poundForce};
-
-QString text(std::string_view symbol) {
-  return QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
+/// Shows a window beside the main one; it is made when it is first wanted.
+template <class Make>
+void showBeside(QPointer<QDialog>& window, const Make& make) {
+  if (!window) window = make();
+  bringUp(*window);
 }
 
 QMenu* menuOf(QMenuBar* bar, const QString& title, const char* name) {
@@ -66,6 +69,9 @@ void MainWindow::makeFileActions() {
   menu->addAction(action("import", tr("&Import a datasheet…"),
                          tr("Read the force graph from a picture, PDF, SVG or CSV"), QKeySequence("Ctrl+I"),
                          [this] { files_->importByDialog(); }));
+  menu->addAction(action("importMany", tr("Import &many files…"),
+                         tr("Import files or a folder in the background, with a list of results"),
+                         QKeySequence("Ctrl+Alt+I"), [this] { files_->importMany(); }));
   menu->addAction(action("trySample", tr("&Try a sample datasheet"),
                          tr("Import a sheet that comes with Detent, to see how it goes"),
                          QKeySequence("Ctrl+Alt+T"), [this] { files_->importSample(); }));
@@ -174,6 +180,8 @@ void MainWindow::makeEditActions() {
   menu->addAction(tabAction("rename", tr("Re&name the button…"), tr("Give the button another name"),
                             QKeySequence("F2"), [this](DocumentTab& tab) { renameButton(tab); }));
   editMenu_.end = menu->addSeparator();
+  menu->addAction(action("preferences", tr("Pre&ferences…"), tr("Units, theme, language and layout"),
+                         QKeySequence("Ctrl+,"), [this] { showPreferences(); }));
   toolMenu_.menu = menuOf(menuBar(), tr("&Tools"), "toolMenu");
   toolMenu_.end = toolMenu_.menu->addSeparator();
 }
@@ -202,12 +210,9 @@ void MainWindow::makeViewActions() {
   QMenu* references = menu->addMenu(tr("&Reference curve"));
   references->setObjectName("referenceMenu");
   connect(references, &QMenu::aboutToShow, this, [this, references] { fillReferences(*references); });
-  unitMenu_ = menu->addMenu(tr("&Units"));
+  unitMenu_ = new QMenu(tr("Units"), this);  // of the status bar
   unitMenu_->setObjectName("unitMenu");
   makeUnitActions(unitMenu_);
-  QMenu* appearance = menu->addMenu(tr("&Appearance"));
-  appearance->setObjectName("appearanceMenu");
-  makeAppearanceActions(appearance);
   menu->addSeparator();
   menu->addAction(action("nextPanel", tr("&Next panel"), tr("Leave a table or list for the next panel"),
                          QKeySequence("F6"), [this] { focusNextPanel(1); }));
@@ -234,41 +239,22 @@ void MainWindow::makeUnitActions(QMenu* menu) {
     menu->addAction(unit);
   };
   auto* lengths = new QActionGroup(this);
-  for (const LengthUnit unit : lengthUnits)
-    add(lengths, "length", text(symbolOf(unit)), tr("Show displacements in %1").arg(text(symbolOf(unit))),
-        [this, unit] {
+  for (const LengthUnit unit : offeredLengthUnits)
+    add(lengths, "length", unitText(symbolOf(unit)),
+        tr("Show displacements in %1").arg(unitText(symbolOf(unit))), [this, unit] {
           DisplayUnits units = at_.view.units();
           units.length = unit;
           at_.view.setUnits(units);
         });
   menu->addSeparator();
   auto* forces = new QActionGroup(this);
-  for (const ForceUnit unit : forceUnits)
-    add(forces, "force", text(symbolOf(unit)), tr("Show forces in %1").arg(text(symbolOf(unit))),
+  for (const ForceUnit unit : offeredForceUnits)
+    add(forces, "force", unitText(symbolOf(unit)), tr("Show forces in %1").arg(unitText(symbolOf(unit))),
         [this, unit] {
           DisplayUnits units = at_.view.units();
           units.force = unit;
           at_.view.setUnits(units);
         });
-}
-
-void MainWindow::makeAppearanceActions(QMenu* menu) {
-  auto* group = new QActionGroup(this);
-  const auto add = [&](const char* name, const QString& text, const QString& tip, const QKeySequence& keys,
-                       Appearance appearance) {
-    QAction* choice =
-        action(name, text, tip, keys, [this, appearance] { at_.view.setAppearance(appearance); });
-    choice->setCheckable(true);
-    choice->setChecked(at_.view.appearance() == appearance);
-    group->addAction(choice);
-    menu->addAction(choice);
-  };
-  add("appearanceSystem", tr("As the &system"), tr("Light or dark as the desktop is"),
-      QKeySequence("Ctrl+Alt+Y"), Appearance::system);
-  add("appearanceLight", tr("&Light"), tr("Dark text on light background"), QKeySequence("Ctrl+Alt+L"),
-      Appearance::light);
-  add("appearanceDark", tr("&Dark"), tr("Light text on dark background"), QKeySequence("Ctrl+Alt+D"),
-      Appearance::dark);
 }
 
 void MainWindow::makeWindowActions() {
@@ -301,8 +287,14 @@ void MainWindow::makeWindowActions() {
 
 void MainWindow::makeHelpActions() {
   QMenu* menu = menuOf(menuBar(), tr("&Help"), "helpMenu");
+  menu->addAction(
+      action("guide", tr("&User's guide"), tr("Read how to use Detent"), QKeySequence("F1"),
+             [this] { showBeside(guide_, [this] { return new GuideWindow(documentsFolder(), this); }); }));
+  menu->addAction(action("glossary", tr("&Glossary"), tr("Show in pictures what each figure measures"),
+                         QKeySequence("Ctrl+F1"),
+                         [this] { showBeside(glossary_, [this] { return new GlossaryWindow(this); }); }));
   menu->addAction(action("shortcuts", tr("&Keyboard shortcuts"), tr("List every action with its keys"),
-                         QKeySequence("F1"), [this] { showShortcuts(); }));
+                         QKeySequence("Ctrl+Shift+F1"), [this] { showShortcuts(); }));
   menu->addAction(action("about", tr("&About Detent"), tr("Version and licence"), QKeySequence("Shift+F1"),
                          [this] { showAbout(); }));
 }
@@ -408,6 +400,14 @@ std::vector<ShortcutRow> MainWindow::shortcuts() const {
   add(tr("Editing"), editMenu_.shown);
   add(tr("View"), viewMenu_.shown);
   return rows;
+}
+
+void MainWindow::showPreferences() {
+  showBeside(preferences_, [this] {
+    auto* made = new PreferencesDialog(at_.view, at_.settings, ParticipantLanguage::carried(), this);
+    connect(made, &PreferencesDialog::layoutResetWanted, this, &MainWindow::resetLayout);
+    return made;
+  });
 }
 
 void MainWindow::showShortcuts() {

@@ -3,6 +3,7 @@
 
 #include <QLocale>
 
+#include "editor/document/form_widgets.h"
 #include "editor/document/kept_page.h"
 #include "editor/files/document_files.h"
 #include "editor/files/input_kind.h"
@@ -23,24 +24,32 @@ SheetController::~SheetController() { delete importing_; }
 // ---- importing
 
 void SheetController::importFiles(const QStringList& paths) {
-  for (const QString& path : paths) waiting_.push_back(path);
+  for (const QString& path : paths) {
+    waiting_.emplace_back();
+    waiting_.back().path = path;
+  }
+  startNext();
+}
+
+void SheetController::importGraph(const QString& path, GraphId graph) {
+  waiting_.emplace_back();
+  waiting_.back().path = path;
+  if (graph.page > 0) waiting_.back().current = graph;
   startNext();
 }
 
 void SheetController::startNext() {
   if (waiting_.empty() || (importing_ && importing_->isVisible())) return;
-  const QString path = waiting_.front();
+  const ImportDraft next = waiting_.front();
   waiting_.pop_front();
-  shownDialog().openFile(path);
+  shownDialog().continueDraft(next);
 }
 
 void SheetController::importPicture(const QImage& picture) { shownDialog().openPicture(picture); }
 
 ImportDialog& SheetController::shownDialog() {
   ImportDialog& shown = dialog();
-  shown.show();
-  shown.raise();
-  shown.activateWindow();
+  bringUp(shown);
   return shown;
 }
 
@@ -73,6 +82,13 @@ void SheetController::addImported(std::shared_ptr<const importer::ImportReport> 
   if (provenance && importing_) pages_.remember(*provenance, importing_->draft().path);
   at_.tabs.add(importedDocument(std::move(report)));
   at_.recovery.flush();  // it may have cost an hour: not even two seconds of it are risked
+}
+
+void SheetController::openImported(const QString& path, const Button& button) {
+  if (button.provenance()) pages_.remember(*button.provenance(), path);
+  auto document = std::make_unique<ButtonDocument>(button);
+  document->history().stack().resetClean();
+  bringPageBack(at_.tabs.add(std::move(document)).document());
 }
 
 // ---- what a hand corrected

@@ -8,6 +8,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include "editor/importing/import_draft.h"
 #include "editor/importing/page_return.h"
 #include "editor/window/controller_context.h"
 
@@ -24,7 +25,11 @@ class SheetController : public QObject {
   ~SheetController() override;
 
   void importFiles(const QStringList& paths);
+  /// One graph of a sheet, selected in the import dialogue.
+  void importGraph(const QString& path, GraphId graph);
   void importPicture(const QImage& picture);
+  /// A button that was read from this sheet elsewhere, in a tab with its page: unsaved work.
+  void openImported(const QString& path, const Button& button);
   /// A tab of it was added: its sheet is traced again where somebody wants the points.
   void attend(ButtonDocument& document);
   /// The page that the button was read from, behind its curves; where it cannot be found the tab says so.
@@ -55,7 +60,7 @@ class SheetController : public QObject {
   QTimer draftSoon_;
   QString pastedFile_;  ///< where the pasted picture of the import dialogue is kept
   QPointer<ImportDialog> importing_;
-  std::deque<QString> waiting_;
+  std::deque<ImportDraft> waiting_;  ///< nothing is corrected in them yet
 };
 
 }  // namespace detent::editor

@@ -7,6 +7,9 @@
 
 namespace detent::editor {
 
+/// Setting with the code of the language that was chosen; empty: the system's.
+inline constexpr const char* languageKey = "view/language";
+
 /// Installs detent_<language>.qm from `folder` and Qt's own texts for `locale`, where they are there; English
 /// otherwise. The translators belong to `application`. True if Detent's own were found.
 bool installTranslation(QCoreApplication& application, const QLocale& locale,

@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "importer/all_graphs.h"
 #include "importer/overlay/encode_png.h"
 #include "importer/overlay/overlay.h"
 #include "importer/program/batch_report.h"
@@ -126,11 +127,9 @@ std::optional<Choice> answerTo(const Question& question) {
   return question.choices[number - 1];
 }
 
-/// Imports one graph of an open input, writes its outputs, and adds one JSON object to `reported`. Returns
-/// the exit code.
-int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
-              const Progress& progress, Reported& reported) {
-  const ImportAttempt attempt = session.attempt(request, progress);
+/// Writes the outputs of an attempt, and adds one JSON object to `reported`. Returns the exit code.
+int reportAttempt(const ImportAttempt& attempt, const ImportRequest& request, const OutputPaths& paths,
+                  Reported& reported) {
   const auto& [report, evidence, question, interpretations] = attempt;
   reported.question = question;
   const auto explained = reported.explains ? interpretations : std::vector<ExplainedInterpretation>{};
@@ -158,29 +157,19 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
 /// Imports every graph of an input. The exit code is 0 if all succeeded, else that of the first failure.
 int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress,
               Reported& reported) {
-  const auto refused = [&](const Failure& failure) {
-    reported.objects.push_back(failureJson(failure, request.path));
-    reported.text += failure.sentence() + "\n";
-    return failure.exitCode();
-  };
-  auto session = ImportSession::open(request.path, request.limits);
-  if (!session) return refused(session.failure());
-  if (session->isForceLog()) return importOne(*session, request, paths, progress, reported);
-
-  auto listed = session->list(request.page, request.quality, request.hints, progress);
-  if (!listed) return refused(listed.failure());
-  reported.text += warningLines(listed->remarks);
-  if (listed->graphs.empty())
-    return importOne(*session, request, paths, progress, reported);  // reports why there is no graph
   int exitCode = 0;
-  for (const ListedGraph& graph : listed->graphs) {
-    ImportRequest one = request;
-    one.page = graph.page, one.graph = graph.graph;
-    const OutputPaths onePaths =
-        listed->graphs.size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
-    const int code = importOne(*session, one, onePaths, progress, reported);
-    if (exitCode == 0) exitCode = code;
+  const auto remarks = attemptAllGraphs(
+      request, progress, [&](const ImportAttempt& attempt, const ImportRequest& one, std::size_t graphs) {
+        const int code = reportAttempt(attempt, one,
+                                       graphs > 1 ? numbered(paths, *one.page, *one.graph) : paths, reported);
+        if (exitCode == 0) exitCode = code;
+      });
+  if (!remarks) {
+    reported.objects.push_back(failureJson(remarks.failure(), request.path));
+    reported.text += remarks.failure().sentence() + "\n";
+    return remarks.failure().exitCode();
   }
+  reported.text.insert(0, warningLines(*remarks));
   return exitCode;
 }
 
@@ -247,12 +236,12 @@ int runImport(const Arguments& a, const Progress& progress) {
   }
   auto session = ImportSession::open(request.path, request.limits);
   if (session) {
-    exitCode = importOne(*session, request, paths, progress, reported);
+    exitCode = reportAttempt(session->attempt(request, progress), request, paths, reported);
     while (a.ask && exitCode == static_cast<int>(FailureCode::notCertain) && reported.question) {
       const std::optional<Choice> answer = answerTo(*reported.question);
       if (!answer || !takeUp(*answer, request.hints)) break;
       reported = {.explains = a.explain};
-      exitCode = importOne(*session, request, paths, progress, reported);
+      exitCode = reportAttempt(session->attempt(request, progress), request, paths, reported);
     }
   } else {
     reported.objects = {failureJson(session.failure(), request.path)};

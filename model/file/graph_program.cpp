@@ -9,6 +9,7 @@
 #include "model/file/force_steps.h"
 #include "model/file/text_file.h"
 #include "model/file/traced_project.h"
+#include "model/file/travel_steps.h"
 #include "model/speed_family.h"
 #include "model/text.h"
 
@@ -80,6 +81,14 @@ Result<std::string> contentsFor(const ButtonFile& read, const std::string& in, c
   if (*kind == GraphFileKind::tracedProject) return tracedProjectFrom(*state, options.svg);
   if (*kind == GraphFileKind::tracedArchive) return tracedArchiveFrom(*state, options.svg);
   if (options.forceStep_N) return forceStepsFrom(state->graph, *options.forceStep_N);
+  if (options.travelStep_mm || !options.travels_mm.empty()) {
+    auto travels_mm = options.travelStep_mm ? travelsAtEach(*options.travelStep_mm, state->graph)
+                                            : travelsWithin(options.travels_mm, state->graph);
+    if (travels_mm) return csvAtTravels(*travels_mm, state->graph);
+    Failure failure = travels_mm.failure();
+    failure.subject = Subject::option(options.travelStep_mm ? "--travel-step" : "--travels");
+    return failure;
+  }
   return csvFrom(state->graph);
 }
 
@@ -145,8 +154,12 @@ Result<Report> checkGraph(const std::string& path) {
 Result<Report> convertGraph(const std::string& in, const std::string& out, const ConvertOptions& options) {
   const auto kind = kindOfFile(out);
   if (!kind) return kind.failure();
-  if (options.forceStep_N && *kind != GraphFileKind::csv)
-    return usage(Subject::option("--force-step"), "is for a .csv alone", "Leave it out, or write a .csv");
+  const char* const sampling = options.forceStep_N           ? "--force-step"
+                               : options.travelStep_mm       ? "--travel-step"
+                               : !options.travels_mm.empty() ? "--travels"
+                                                             : nullptr;
+  if (sampling && *kind != GraphFileKind::csv)
+    return usage(Subject::option(sampling), "is for a .csv alone", "Leave it out, or write a .csv");
   if (!(options.svg.width_px > 200 && options.svg.height_px > 200 && options.svg.width_px <= 20000 &&
         options.svg.height_px <= 20000))
     return usage("plot size", "is not between 200 and 20000 px", "Choose a size such as 640 by 460");

@@ -305,6 +305,36 @@ class Exchange(unittest.TestCase):
                 for stroke, points in strokes.items():
                     self.assertEqual(len(found[stroke]), crossings(points, 0.05), stroke)
 
+    def test_force_over_travel_lies_on_the_curve(self):
+        out = self.folder / "steps.csv"
+        for name in "ABCDEF":
+            with self.subTest(name):
+                self.assertEqual(run("detent-graph", "convert", sample(name), out, "--travel-step", "0.1").returncode, 0)
+                strokes = strokes_of(name, self.folder)
+                press = [row for row in rows(out) if row["stroke"] == "press"]
+                end = strokes["press"][-1][0]
+                self.assertEqual([row["displacement_mm"] for row in press[:4]], ["0", "0.1", "0.2", "0.3"])
+                self.assertEqual(len(press), math.ceil(round(end / 0.1, 6)) + 1)
+                self.assertAlmostEqual(float(press[-1]["displacement_mm"]), end, places=9)
+                for row in rows(out):
+                    at, force = float(row["displacement_mm"]), float(row["force_N"])
+                    self.assertLess(distance(strokes[row["stroke"]], at, force), 2e-4)
+        self.assertEqual(run("detent-graph", "convert", sample("C"), out, "--travels", "0.5,2").returncode, 0)
+        self.assertEqual([(r["stroke"], r["displacement_mm"]) for r in rows(out)],
+                         [("press", "0.5"), ("press", "2"), ("release", "2"), ("release", "0.5")])
+
+    def test_travels_that_make_no_table_are_refused(self):
+        out = self.folder / "steps.csv"
+        for given in ("--travel-step=0", "--travel-step=-1", "--travel-step=1e-9", "--travel-step=nan", "--travels=1,99",
+                      "--travels=nan", "--travels=x"):
+            failed = run("detent-graph", "convert", sample("C"), out, given)
+            self.assertEqual(failed.returncode, 2, given)
+            self.assertIn(given.partition("=")[0], failed.stderr)
+        both = run("detent-graph", "convert", sample("C"), out, "--travels=1", "--travel-step=1")
+        picture = run("detent-graph", "convert", sample("C"), self.folder / "a.svg", "--travel-step=1")
+        self.assertEqual((both.returncode, picture.returncode), (2, 2))
+        self.assertFalse(out.exists())
+
     def test_steps_that_make_no_table_are_refused(self):
         out = self.folder / "steps.csv"
         for step in ("0", "-1", "1e-9", "nan"):

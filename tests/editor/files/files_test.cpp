@@ -15,6 +15,7 @@
 #include "editor/files/open_marks.h"
 #include "editor/files/recent_files.h"
 #include "model/edits.h"
+#include "model/file/button_file.h"
 #include "model/templates.h"
 #include "tests/editor/window_tests.h"
 
@@ -285,6 +286,22 @@ class FilesTest : public QObject {
     here.watch(**mine);
     QVERIFY(here.otherEditor(**mine).has_value());
     elsewhere.forget(**otherCopy);
+  }
+
+  void travelsAreAStepOrAList() {
+    const auto button = readButtonFile(sample("buttons/C.button.json").toStdString());
+    QVERIFY(button.ok());
+    const ForceGraph& graph = button->states()[0].graph;
+    const DisplayUnits mm{LengthUnit::millimetre, ForceUnit::centinewton};
+    const double end_mm = graph.press().end_mm();
+    std::vector<double> each_mm;
+    for (int i = 0; i < end_mm; ++i) each_mm.push_back(i);
+    each_mm.push_back(end_mm);
+    for (const char* step : {"1", "1 mm", " 1mm ", "0.1 cm"})  // the first text of the question has a unit
+      QCOMPARE(*travelsFrom(step, graph, mm), each_mm);
+    QCOMPARE(*travelsFrom("0; 0,5 mm  2", graph, mm), (std::vector<double>{0, 0.5, 2}));
+    for (const char* refused : {"", " ; ", "0", "-1", "1e-9", "1; 99", "1; x", "; mm"})
+      QVERIFY2(!travelsFrom(refused, graph, mm).ok(), refused);
   }
 
   void exportsAreWhole() {

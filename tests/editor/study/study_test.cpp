@@ -26,6 +26,7 @@
 
 #include "editor/study/experimenter_dialog.h"
 #include "editor/study/study_maker.h"
+#include "playback/offline/press_files.h"
 #include "tests/editor/window_tests.h"
 #include "tests/playback/sample_buttons.h"
 
@@ -231,6 +232,59 @@ class StudyTest : public QObject {
     again.setFolder(rig.study);
     again.findChild<QPushButton*>("makerMake")->click();
     QVERIFY(again.findChild<QLabel*>("makerTrouble")->text().contains("clicks"));
+  }
+
+  // What is heard beside the vibration, as detent-play study new takes it.
+  void aStudyHasTheSoundThatWasChosen() {
+    Rig rig;
+    const QString recording = rig.folder.filePath("click.wav");
+    QVERIFY(playback::writeSoundFile(std::vector<float>(480, 0.25F), 48000, recording.toStdString()).ok());
+    const auto made = [&](StudyMaker& maker, const char* name) {
+      maker.setFolder(rig.folder.filePath(name));
+      maker.findChild<QPushButton*>("makerMake")->click();
+      return playback::openStudy(rig.folder.filePath(name).toStdString());
+    };
+    StudyMaker maker({&rig.a, &rig.b}, {});
+    maker.show();
+    maker.setFolder(rig.folder.filePath("heard"));
+    auto* sound = maker.findChild<QComboBox*>("makerSound");
+    auto* make = maker.findChild<QPushButton*>("makerMake");
+    auto* delay = maker.findChild<QuantityField*>("makerSoundDelay");
+    QVERIFY(!delay->isVisible() && make->isEnabled());
+    sound->setCurrentIndex(2);
+    QVERIFY(delay->isVisible() && maker.findChild<QLineEdit*>("makerRecording")->isVisible());
+    QVERIFY(!make->isEnabled());  // which recording?
+    maker.findChild<QLineEdit*>("makerRecording")->setText(rig.folder.filePath("gone.wav"));
+    make->click();
+    QVERIFY2(maker.findChild<QLabel*>("makerTrouble")->text().contains("gone.wav"),
+             qPrintable(maker.findChild<QLabel*>("makerTrouble")->text()));
+    maker.findChild<QLineEdit*>("makerRecording")->setText(recording);
+    delay->setFocus();
+    delay->selectAll();
+    QTest::keyClicks(delay->findChild<QLineEdit*>(), "501");
+    QVERIFY(!make->isEnabled());
+    delay->setValue(8);
+    maker.findChild<QuantityField*>("makerSoundLevel")->setValue(-6);
+    const auto heard = made(maker, "heard");
+    QVERIFY(heard.ok());
+    QCOMPARE(heard->design.sound.source, std::string("sound.wav"));
+    QCOMPARE(heard->design.sound.delay_ms, 8.0);
+    QCOMPARE(heard->design.sound.level_dB, -6.0);
+    QCOMPARE(playback::pressSoundOf(*heard)->samples.size(), std::size_t{480});
+
+    StudyMaker vibrating({&rig.a, &rig.b}, {});
+    vibrating.findChild<QComboBox*>("makerSound")->setCurrentIndex(1);
+    const auto rendered = made(vibrating, "rendered");
+    QVERIFY(rendered.ok() && rendered->design.sound.source == playback::renderedSound);
+    StudyMaker silent({&rig.a, &rig.b}, {});
+    const auto quiet = made(silent, "silent");
+    QVERIFY(quiet.ok() && quiet->design.sound.source.empty());
+    if (const QString pictures = qEnvironmentVariable("DETENT_PICTURES"); !pictures.isEmpty()) {
+      StudyMaker shown({&rig.a, &rig.b}, {});
+      shown.show();
+      shown.findChild<QComboBox*>("makerSound")->setCurrentIndex(2);
+      shown.grab().save(pictures + "/maker.png");
+    }
   }
 
   void aFolderWithoutAStudyIsSaid() {

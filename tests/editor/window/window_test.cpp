@@ -298,7 +298,7 @@ class WindowTest : public QObject {
     QTest::qWait(50);
     cut << cutTexts(*rig.window);
     for (const char* name : {"operationScaleForce", "operationDamping", "operationTwoLevel", "snapGridSteps",
-                             "forecasts", "study"}) {
+                             "forecasts", "study", "preferences", "glossary", "guide", "importMany"}) {
       rig.action(name)->trigger();
       QTest::qWait(50);
       for (const QPointer<QWidget>& window : windowsBeside(rig))
@@ -1307,7 +1307,7 @@ class WindowTest : public QObject {
     const auto light = read();
     QVERIFY2(light.ok(), light.ok() ? "" : "the printed graph is not found on its paper");
     QVERIFY(std::abs(light->button.states()[0].graph.travel_mm() - 4) < 0.02);
-    rig.action("appearanceDark")->trigger();
+    rig.view.setAppearance(Appearance::dark);
     const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
     QTRY_VERIFY(isDark(canvas.palette()));
     request.path = at("dark.pdf").toStdString();
@@ -1426,7 +1426,7 @@ class WindowTest : public QObject {
       Rig rig(folder_->path());
       rig.action("unit_force_gf")->trigger();
       rig.action("unit_length_in")->trigger();
-      rig.action("appearanceDark")->trigger();
+      rig.view.setAppearance(Appearance::dark);
       QVERIFY(isDark(QApplication::palette()));
       rig.window->findChild<QDockWidget*>("libraryDock")->show();
       rig.action("libraryDockToggle")->trigger();
@@ -1435,9 +1435,9 @@ class WindowTest : public QObject {
     Rig rig(folder_->path());
     QVERIFY(rig.view.units() == (DisplayUnits{LengthUnit::inch, ForceUnit::gramForce}));
     QVERIFY(rig.action("unit_force_gf")->isChecked());
-    QVERIFY(rig.action("appearanceDark")->isChecked());
+    QCOMPARE(rig.view.appearance(), Appearance::dark);
     QVERIFY(!rig.window->findChild<QDockWidget*>("libraryDock")->isVisible());
-    rig.action("appearanceLight")->trigger();
+    rig.view.setAppearance(Appearance::light);
     QVERIFY(!isDark(QApplication::palette()));
   }
 
@@ -1477,15 +1477,16 @@ class WindowTest : public QObject {
       rig.window->files().open({sample(name)});
     rig.action("feel")->trigger();
     rig.window->findChild<QToolButton*>("setupToggle")->click();
-    for (const char* appearance : {"appearanceLight", "appearanceDark"}) {
-      rig.action(appearance)->trigger();
+    for (const char* appearance : {"light", "dark"}) {
+      rig.view.setAppearance(*appearance == 'd' ? Appearance::dark : Appearance::light);
       rig.action("compare")->trigger();
       QTest::qWait(50);
       collectCutTexts(*rig.window, appearance);
       for (QWidget* setup : {static_cast<QWidget*>(rig.window->findChild<FeelSetup*>()),
                              static_cast<QWidget*>(rig.window->findChild<ForceSetup*>())})
         collectCutTexts(*setup, QString(appearance) + ' ' + setup->metaObject()->className());
-      for (const char* name : {"operationScaleForce", "forecasts", "study"}) {
+      for (const char* name :
+           {"operationScaleForce", "forecasts", "study", "preferences", "glossary", "importMany"}) {
         rig.action(name)->trigger();
         const auto opened = windowsBeside(rig);
         QVERIFY2(opened.size() == 1, name);
@@ -1529,7 +1530,7 @@ class WindowTest : public QObject {
   // The same stroke has the same colour in the window, in its SVG and in a comparison.
   void oneColourCodeInWindowSvgAndComparison() {
     Rig rig(folder_->path());
-    rig.action("appearanceLight")->trigger();
+    rig.view.setAppearance(Appearance::light);
     rig.window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
     const GraphColors colors = graphColors(false);
     QTRY_COMPARE(rig.window->tabs().current()->workspace().canvas().colors().press, colors.press);
@@ -1553,7 +1554,7 @@ class WindowTest : public QObject {
   void theDesktopsChangeOfThemeIsFollowed() {
     bool dark = false;
     Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });
-    rig.action("appearanceSystem")->trigger();
+    rig.view.setAppearance(Appearance::system);
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/E.button.json")});
     rig.action("feel")->trigger();
     rig.action("compare")->trigger();
@@ -1577,7 +1578,7 @@ class WindowTest : public QObject {
                         (dark ? "desktop turned dark " : "desktop turned light ") + window->objectName());
     }
     // A choice by hand is not overruled by the desktop.
-    rig.action("appearanceLight")->trigger();
+    rig.view.setAppearance(Appearance::light);
     QEvent change(QEvent::ThemeChange);
     QApplication::sendEvent(rig.window.get(), &change);
     QVERIFY(!isDark(QApplication::palette()));
@@ -1585,8 +1586,8 @@ class WindowTest : public QObject {
 
   void noticesCanBeReadOnTheirBackground() {
     Rig rig(folder_->path());
-    for (const char* appearance : {"appearanceDark", "appearanceLight", "appearanceDark"}) {
-      rig.action(appearance)->trigger();
+    for (const char* appearance : {"dark", "light", "dark"}) {
+      rig.view.setAppearance(*appearance == 'd' ? Appearance::dark : Appearance::light);
       rig.window->notices().say("a", NoticeBar::Kind::trouble, "Trouble");
       rig.window->notices().say("b", NoticeBar::Kind::information, "Information");
       QCoreApplication::processEvents();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Labels, buttons and steps that several windows share.
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "editor/document/described.h"
+
+namespace detent::editor {
+
+/// A label that wraps its text, which can be selected and copied.
+inline QLabel* wrappingLabel(const QString& name) {
+  auto* label = described(new QLabel, name);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+/// A button of a dialogue that the Enter key in another field does not press.
+inline QPushButton* plainButton(const QString& name, const QString& text, const QString& tip) {
+  auto* button = described(new QPushButton(text), name, tip);
+  button->setAutoDefault(false);
+  return button;
+}
+
+/// Shows a window in front of the others, with the keyboard.
+inline void bringUp(QWidget& window) {
+  window.show();
+  window.raise();
+  window.activateWindow();
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/importing/batch_dialog.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "editor/document/form_widgets.h"
+#include "editor/document/message_words.h"
+#include "editor/files/document_files.h"
+#include "editor/files/input_kind.h"
+#include "model/file/button_file.h"
+
+namespace detent::editor {
+namespace {
+
+enum Column { nameColumn, resultColumn, detailsColumn };
+constexpr int rowRole = Qt::UserRole;
+constexpr QSize firstBatchSize_px{860, 520};
+
+QString inShort(const BatchResult& result) {
+  if (result.button) return BatchDialog::tr("%1 %").arg(qRound(100 * result.confidence));
+  return result.question.isEmpty() ? BatchDialog::tr("Refused") : BatchDialog::tr("Question");
+}
+
+}  // namespace
+
+BatchDialog::BatchDialog(const ViewSettings& view, BatchPlaces places, QWidget* parent)
+    : QDialog(parent),
+      view_(view),
+      at_(std::move(places)),
+      list_(described(new QTreeWidget, "batchList", {}, tr("Results of the batch"))),
+      progress_(described(new QProgressBar, "batchProgress", {}, tr("Files finished"))),
+      summary_(wrappingLabel("batchSummary")) {
+  setObjectName("batchDialog");
+  setWindowTitle(tr("Import many files"));
+  list_->setHeaderLabels({tr("File"), tr("Result"), tr("Details")});
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setUniformRowHeights(true);
+  list_->setAlternatingRowColors(true);
+  list_->header()->setSectionResizeMode(resultColumn, QHeaderView::ResizeToContents);
+  list_->header()->resizeSection(nameColumn, firstBatchSize_px.width() / 3);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(chooserRow());
+  layout->addWidget(list_, 1);
+  layout->addWidget(summary_);
+  layout->addLayout(actionRow());
+  connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { correct(*item); });
+  connect(list_, &QTreeWidget::itemSelectionChanged, this, &BatchDialog::follow);
+  connect(&batch_, &BatchImport::started, this,
+          [this](int file) { list_->topLevelItem(file)->setText(resultColumn, tr("Reading…")); });
+  connect(&batch_, &BatchImport::finished, this, &BatchDialog::take);
+  connect(&batch_, &BatchImport::ended, this, &BatchDialog::ended);
+  summary_->setText(tr("Choose files or a folder. Every graph in them is imported in the background."));
+  follow();
+  resize(firstBatchSize_px);
+}
+
+QLayout* BatchDialog::chooserRow() {
+  files_ = plainButton("batchFiles", tr("Choose &files…"), tr("Import these files in place of those listed"));
+  folder_ =
+      plainButton("batchFolder", tr("Choose a f&older…"),
+                  tr("Import all datasheets, pictures and tables in a folder and the folders below it"));
+  stop_ = plainButton("batchStop", tr("S&top"), tr("Stop; finished files keep their results"));
+  connect(files_, &QPushButton::clicked, this, [this] { start(at_.files(this)); });
+  connect(folder_, &QPushButton::clicked, this, [this] {
+    const QString folder = at_.folder(this);
+    if (folder.isEmpty()) return;
+    const QStringList paths = sheetsBelow(folder);
+    if (paths.isEmpty()) summary_->setText(tr("No datasheet, picture or table was found in %1.").arg(folder));
+    start(paths);
+  });
+  connect(stop_, &QPushButton::clicked, &batch_, &BatchImport::cancel);
+  auto* row = new QHBoxLayout;
+  row->addWidget(files_);
+  row->addWidget(folder_);
+  row->addWidget(progress_, 1);
+  row->addWidget(stop_);
+  return row;
+}
+
+QLayout* BatchDialog::actionRow() {
+  correct_ = plainButton("batchCorrect", tr("Open in the &import dialogue"),
+                         tr("Check what was found on the page, answer the question, or correct the result"));
+  open_ = plainButton("batchOpen", tr("Open &buttons"), tr("Open the selected buttons in tabs"));
+  save_ = plainButton("batchSave", tr("&Save buttons…"),
+                      tr("Save the selected buttons in a folder, or all if none is selected"));
+  auto* close = plainButton("batchClose", tr("Close"), {});
+  connect(correct_, &QPushButton::clicked, this, [this] { correct(*list_->currentItem()); });
+  connect(open_, &QPushButton::clicked, this, [this] {
+    for (const Row* row : chosen()) at_.open(row->path, *row->result.button);
+  });
+  connect(save_, &QPushButton::clicked, this, &BatchDialog::save);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  auto* row = new QHBoxLayout;
+  row->addWidget(correct_);
+  row->addWidget(open_);
+  row->addWidget(save_);
+  row->addStretch();
+  row->addWidget(close);
+  return row;
+}
+
+void BatchDialog::start(const QStringList& paths) {
+  if (paths.isEmpty()) return;
+  batch_.cancel();
+  list_->clear();
+  rows_.clear();
+  paths_ = paths;
+  finished_ = buttons_ = questions_ = refused_ = 0;
+  for (const QString& path : paths) {
+    auto* item = new QTreeWidgetItem(list_, {QFileInfo(path).fileName(), tr("Waiting")});
+    item->setToolTip(nameColumn, QDir::toNativeSeparators(path));
+  }
+  batch_.start(paths, view_.units());
+  showProgress();
+  follow();
+}
+
+/// A file of one graph is one row; several graphs are rows below their file's.
+void BatchDialog::take(int file, const std::vector<BatchResult>& results) {
+  QTreeWidgetItem& item = *list_->topLevelItem(file);
+  const QString& path = paths_[file];
+  ++finished_;
+  if (results.size() == 1) {
+    fill(item, item.text(nameColumn), path, results.front());
+  } else {
+    int buttons = 0;
+    for (const BatchResult& result : results) {
+      fill(*new QTreeWidgetItem(&item),
+           tr("Page %1, graph %2").arg(result.graph.page).arg(result.graph.graph), path, result);
+      buttons += result.button.has_value();
+    }
+    item.setText(resultColumn, tr("%1 of %2").arg(buttons).arg(results.size()));
+    item.setExpanded(true);
+  }
+  showProgress();
+  follow();
+}
+
+void BatchDialog::fill(QTreeWidgetItem& item, const QString& name, const QString& path,
+                       const BatchResult& result) {
+  ++(result.button ? buttons_ : result.question.isEmpty() ? refused_ : questions_);
+  const QString details = result.question.isEmpty() ? result.reason : result.question;
+  item.setText(nameColumn, name);
+  item.setText(resultColumn, inShort(result));
+  item.setText(detailsColumn, details);
+  if (!result.reason.isEmpty()) item.setToolTip(detailsColumn, result.reason);
+  item.setData(nameColumn, rowRole, static_cast<int>(rows_.size()));
+  rows_.push_back({path, result});
+}
+
+void BatchDialog::showProgress() {
+  progress_->setRange(0, static_cast<int>(paths_.size()));
+  progress_->setValue(finished_);
+  summary_->setText(tr("%1 of %2 files. Buttons: %3, questions: %4, refused: %5.")
+                        .arg(finished_)
+                        .arg(paths_.size())
+                        .arg(buttons_)
+                        .arg(questions_)
+                        .arg(refused_));
+}
+
+void BatchDialog::ended() {
+  for (int file = 0; file < list_->topLevelItemCount(); ++file) {
+    QTreeWidgetItem& item = *list_->topLevelItem(file);
+    if (item.childCount() == 0 && !item.data(nameColumn, rowRole).isValid())
+      item.setText(resultColumn, tr("Stopped"));
+  }
+  follow();
+}
+
+void BatchDialog::follow() {
+  const bool running = batch_.isRunning();
+  files_->setEnabled(!running);
+  folder_->setEnabled(!running);
+  stop_->setEnabled(running);
+  correct_->setEnabled(list_->selectedItems().size() == 1);
+  const bool any = !chosen().empty();
+  open_->setEnabled(any && !list_->selectedItems().isEmpty());
+  save_->setEnabled(any);
+}
+
+/// Buttons of the selected rows; of all rows if none is selected. A file stands for its graphs.
+std::vector<const BatchDialog::Row*> BatchDialog::chosen() const {
+  const bool all = list_->selectedItems().isEmpty();
+  std::vector<const Row*> rows;
+  for (QTreeWidgetItemIterator each(list_); *each; ++each) {
+    const QTreeWidgetItem& item = **each;
+    const QVariant row = item.data(nameColumn, rowRole);
+    const bool wanted = all || item.isSelected() || (item.parent() && item.parent()->isSelected());
+    if (!wanted || !row.isValid()) continue;
+    const Row& candidate = rows_[static_cast<std::size_t>(row.toInt())];
+    if (candidate.result.button) rows.push_back(&candidate);
+  }
+  return rows;
+}
+
+void BatchDialog::correct(const QTreeWidgetItem& item) {
+  const QVariant row = item.data(nameColumn, rowRole);
+  const QTreeWidgetItem& file = item.parent() ? *item.parent() : item;
+  const GraphId graph = row.isValid() ? rows_[static_cast<std::size_t>(row.toInt())].result.graph : GraphId{};
+  at_.correct(paths_[list_->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(&file))], graph);
+}
+
+/// Never over another file: a name that is taken gets a number.
+void BatchDialog::save() {
+  const std::vector<const Row*> rows = chosen();
+  const QString folder = at_.folderToSave(this);
+  if (folder.isEmpty()) return;
+  int saved = 0;
+  for (const Row* row : rows) {
+    const QString path = suggestedPath(ButtonDocument(*row->result.button), folder, ".button.json");
+    const auto written = writeButtonFile(QFile::encodeName(path).toStdString(), *row->result.button);
+    if (!written)
+      return summary_->setText(
+          tr("Saved %1 of %2 buttons. %3").arg(saved).arg(rows.size()).arg(sentenceOf(written.failure())));
+    ++saved;
+  }
+  summary_->setText(tr("Buttons saved in %2: %1.").arg(saved).arg(QDir::toNativeSeparators(folder)));
+}
+
+void BatchDialog::done(int result) {
+  batch_.cancel();
+  QDialog::done(result);
+}
+
+}  // namespace detent::editor

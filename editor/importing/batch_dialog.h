@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Many sheets imported in the background: a list of results, from which each leads to the import dialogue.
+
+#include <functional>
+#include <QDialog>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "editor/document/view_settings.h"
+#include "editor/importing/batch_import.h"
+
+namespace detent::editor {
+
+/// Answers of a person, and the way of results into the window.
+struct BatchPlaces {
+  std::function<QStringList(QWidget* parent)> files;
+  std::function<QString(QWidget*parent)> folder, folderToSave;      ///< empty: cancelled
+  std::function<void(const QString& path, GraphId graph)> correct;  ///< in the import dialogue
+  std::function<void(const QString& path, const Button& button)> open;
+};
+
+/// Stays beside the window; closing it cancels the batch. GUI thread.
+class BatchDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `view` must outlive it.
+  BatchDialog(const ViewSettings& view, BatchPlaces places, QWidget* parent = nullptr);
+
+  /// Imports these in place of what is listed.
+  void start(const QStringList& paths);
+  void done(int result) override;
+
+ private:
+  struct Row {
+    QString path;
+    BatchResult result;
+  };
+  QLayout* chooserRow();
+  QLayout* actionRow();
+  void take(int file, const std::vector<BatchResult>& results);
+  void fill(QTreeWidgetItem& item, const QString& name, const QString& path, const BatchResult& result);
+  void showProgress();
+  void follow();
+  std::vector<const Row*> chosen() const;
+  void correct(const QTreeWidgetItem& item);
+  void save();
+  void ended();
+
+  const ViewSettings& view_;
+  BatchPlaces at_;
+  BatchImport batch_;
+  std::vector<Row> rows_;  ///< by the number that an item carries
+  QStringList paths_;
+  int finished_ = 0, buttons_ = 0, questions_ = 0, refused_ = 0;
+  QTreeWidget* list_;
+  QProgressBar* progress_;
+  QLabel* summary_;
+  QPushButton *files_ = nullptr, *folder_ = nullptr, *stop_ = nullptr, *correct_ = nullptr, *open_ = nullptr,
+              *save_ = nullptr;
+};
+
+}  // namespace detent::editor

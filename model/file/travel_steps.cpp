@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/file/travel_steps.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace detent {
+namespace {
+
+void appendRounded(std::string& out, double value) {
+  char text[32];
+  out.append(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 12).ptr);
+}
+
+void appendSample(std::string& csv, const char* stroke, const StrokeCurve& curve, double at_mm) {
+  if (at_mm < curve.start_mm() || at_mm > curve.end_mm()) return;
+  csv += stroke;
+  appendRounded(csv, at_mm);
+  csv += ',';
+  appendRounded(csv, curve.force_N(at_mm));
+  csv += '\n';
+}
+
+Failure refusal(Message problem, Message remedy) {
+  return {FailureCode::wrongUsage, "", "", std::move(problem), std::move(remedy)};
+}
+
+}  // namespace
+
+Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& graph) {
+  const double start_mm = graph.press().start_mm(), end_mm = graph.press().end_mm();
+  if (!(step_mm > 0) || !std::isfinite(step_mm))
+    return refusal(Message("the step is not above 0"), Message("Give a step such as 0.1 mm"));
+  if ((end_mm - start_mm) / step_mm > static_cast<double>(mostTravelSteps))
+    return refusal(Message("the step is too small: the table would have more than 100000 rows"),
+                   Message("Give a larger step"));
+  std::vector<double> travels_mm;
+  const double last = std::floor(end_mm / step_mm);
+  for (double count = std::ceil(start_mm / step_mm); count <= last; ++count)
+    travels_mm.push_back(count * step_mm);
+  // A last multiple that differs from the end by rounding alone is the end.
+  const double rounding_mm = 1e-9 * step_mm;
+  if (!travels_mm.empty() && end_mm - travels_mm.back() < rounding_mm) travels_mm.pop_back();
+  travels_mm.push_back(end_mm);
+  return travels_mm;
+}
+
+Result<std::vector<double>> travelsWithin(std::vector<double> travels_mm, const ForceGraph& graph) {
+  const double start_mm = graph.press().start_mm(), end_mm = graph.press().end_mm();
+  if (travels_mm.empty()) return refusal(Message("no travel is given"), Message("Give at least one"));
+  const auto length = [](double at_mm) { return MessageValue(at_mm, Measure::displacement_mm); };
+  for (const double at_mm : travels_mm)
+    if (!(at_mm >= start_mm && at_mm <= end_mm))
+      return refusal(Message("%1 lies outside the travel", length(at_mm)),
+                     Message("Give travels from %1 to %2", length(start_mm), length(end_mm)));
+  return travels_mm;
+}
+
+std::string csvAtTravels(const std::vector<double>& travels_mm, const ForceGraph& graph) {
+  std::string csv = "stroke,displacement_mm,force_N\n";
+  for (const double at_mm : travels_mm) appendSample(csv, "press,", graph.press(), at_mm);
+  if (graph.release())
+    for (auto at = travels_mm.rbegin(); at != travels_mm.rend(); ++at)
+      appendSample(csv, "release,", *graph.release(), *at);
+  return csv;
+}
+
+}  // namespace detent

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many files imported at once: each result is the one of the importer alone, and leads somewhere.
+
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "editor/files/input_kind.h"
+#include "editor/importing/batch_dialog.h"
+#include "editor/importing/import_state.h"
+#include "importer/all_graphs.h"
+#include "model/file/button_file.h"
+#include "model/file/svg_plot.h"
+#include "tests/editor/window_tests.h"
+#include "tests/samples/two_switches.h"
+
+using namespace detent;
+using namespace detent::editor;
+
+namespace {
+
+constexpr int patience_ms = 120000;  // machines under load, sanitizers
+
+QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/plots/") + name; }
+
+/// The dialogue with answers given beforehand.
+struct BatchRig {
+  explicit BatchRig(const QString& folder) {
+    BatchPlaces places;
+    places.files = [this](QWidget*) { return files; };
+    places.folder = [this](QWidget*) { return from; };
+    places.folderToSave = [this](QWidget*) { return saveIn; };
+    places.correct = [this](const QString& path, GraphId graph) {
+      corrected << path, graphs.push_back(graph);
+    };
+    places.open = [this](const QString& path, const Button& button) {
+      opened << path, buttons.push_back(button);
+    };
+    saveIn = folder;
+    dialog = std::make_unique<BatchDialog>(view, std::move(places));
+    dialog->show();
+    list = dialog->findChild<QTreeWidget*>("batchList");
+  }
+  QPushButton& button(const char* name) { return *dialog->findChild<QPushButton*>(name); }
+  bool running() { return button("batchStop").isEnabled(); }
+  void read(const QStringList& paths) {
+    files = paths;
+    button("batchFiles").click();
+    QVERIFY(QTest::qWaitFor([this] { return !running(); }, patience_ms));
+  }
+  QString cell(int row, int column) { return list->topLevelItem(row)->text(column); }
+  QString summary() { return dialog->findChild<QLabel*>("batchSummary")->text(); }
+
+  ViewSettings view;
+  QStringList files, corrected, opened;
+  QString from, saveIn;
+  std::vector<GraphId> graphs;
+  std::vector<Button> buttons;
+  std::unique_ptr<BatchDialog> dialog;
+  QTreeWidget* list = nullptr;
+};
+
+}  // namespace
+
+class BatchTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+  QString at(const char* name) { return folder_.filePath(name); }
+  void write(const QString& path, const std::string& text) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text.c_str()) >= 0);
+  }
+
+ private slots:
+  void initTestCase() {
+    write(at("two.svg"), tests::twoSwitchesSvg());
+    const auto locking = readButtonFile(DETENT_SOURCE_DIR "/samples/buttons/EF.button.json");
+    QVERIFY(locking.ok());
+    write(at("states.svg"), svgFrom(*locking));
+    write(at("empty.csv"), "");
+    write(at("noise.pdf"), "no document");
+  }
+
+  void eachResultIsTheOneOfTheImporterAlone() {
+    BatchRig rig(at("."));
+    const QStringList paths{sample("force-meter-log.csv"),
+                            sample("black-red-curves.png"),
+                            at("two.svg"),
+                            at("empty.csv"),
+                            at("noise.pdf"),
+                            at("nowhere.png")};
+    rig.read(paths);
+    QCOMPARE(rig.list->topLevelItemCount(), 6);
+    for (int row = 0; row < 2; ++row) {
+      importer::ImportRequest request;
+      request.path = paths[row].toStdString();
+      double confidence = 0;
+      const auto alone = importer::attemptAllGraphs(
+          request, {}, [&](const importer::ImportAttempt& attempt, const auto&, std::size_t) {
+            QVERIFY(attempt.report.ok());
+            confidence = attempt.report->confidence;
+          });
+      QVERIFY(alone.ok());
+      QCOMPARE(rig.cell(row, 1), QString("%1 %").arg(qRound(100 * confidence)));
+    }
+    QCOMPARE(rig.cell(2, 1), QString("Question"));
+    QVERIFY2(rig.cell(2, 2).startsWith("Which of the switches? ") && rig.cell(2, 2).contains("Red"),
+             qPrintable(rig.cell(2, 2)));
+    for (int row = 3; row < 6; ++row) {
+      QCOMPARE(rig.cell(row, 1), QString("Refused"));
+      QVERIFY2(rig.cell(row, 2).size() > 10 && !rig.cell(row, 2).contains("--"),
+               qPrintable(rig.cell(row, 2)));
+    }
+    if (const QString pictures = qEnvironmentVariable("DETENT_PICTURES"); !pictures.isEmpty())
+      rig.dialog->grab().save(pictures + "/batch.png");
+    QVERIFY2(rig.summary().contains("6 of 6 files. Buttons: 2, questions: 1, refused: 3."),
+             qPrintable(rig.summary()));
+  }
+
+  void aDoubleClickOpensTheGraphInTheImportDialogue() {
+    BatchRig rig(at("."));
+    rig.read({at("two.svg"), at("states.svg")});
+    QTreeWidgetItem* states = rig.list->topLevelItem(1);
+    QCOMPARE(states->childCount(), 2);
+    QCOMPARE(states->text(1), QString("2 of 2"));
+    rig.list->scrollToItem(states->child(1));
+    const QPoint place = rig.list->visualItemRect(states->child(1)).center();
+    QTest::mouseClick(rig.list->viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(rig.list->viewport(), Qt::LeftButton, {}, place);
+    QCOMPARE(rig.corrected, QStringList(at("states.svg")));
+    QVERIFY((rig.graphs == std::vector<GraphId>{{1, 2}}));
+    rig.button("batchOpen").click();
+    QCOMPARE(rig.opened, QStringList(at("states.svg")));
+    QCOMPARE(rig.buttons.size(), std::size_t{1});
+  }
+
+  // The graph that was chosen is the one to be corrected, whatever is found before it.
+  void theChosenGraphIsSelected() {
+    ImportState state;
+    ImportDraft draft;
+    draft.path = at("states.svg");
+    draft.current = GraphId{1, 2};
+    state.continueDraft(draft);
+    QVERIFY(QTest::qWaitFor([&] { return state.current() != nullptr; }, patience_ms));
+    QVERIFY((state.current()->id == GraphId{1, 2}));
+    state.openFile(sample("black-red-curves.png"));
+    QVERIFY(QTest::qWaitFor([&] { return state.current() != nullptr; }, patience_ms));
+  }
+
+  void buttonsAreSavedAndNothingIsOverwritten() {
+    BatchRig rig(at("out"));
+    QVERIFY(QDir().mkpath(at("out")));
+    rig.read({sample("force-meter-log.csv"), at("noise.pdf")});
+    rig.button("batchSave").click();
+    QVERIFY2(rig.summary().startsWith("Buttons saved in"), qPrintable(rig.summary()));
+    rig.button("batchSave").click();
+    const QStringList saved = QDir(at("out")).entryList(QDir::Files);
+    QCOMPARE(saved.size(), 2);
+    for (const QString& name : saved)
+      QVERIFY(readButtonFile(at("out/").toStdString() + name.toStdString()).ok());
+    rig.saveIn = at("nowhere/at/all");
+    rig.button("batchSave").click();
+    QVERIFY2(rig.summary().startsWith("Saved 0 of 1 buttons"), qPrintable(rig.summary()));
+  }
+
+  void stoppedFilesGiveNoResult() {
+    BatchRig rig(at("."));
+    rig.files = QStringList(40, sample("two-level-legend.png"));
+    rig.button("batchFiles").click();
+    QVERIFY(rig.running());
+    QVERIFY(QTest::qWaitFor([&] { return rig.cell(0, 1) != "Waiting"; }, patience_ms));
+    rig.button("batchStop").click();
+    QVERIFY(!rig.running());
+    QCOMPARE(rig.cell(39, 1), QString("Stopped"));
+    const QString then = rig.summary();
+    QTest::qWait(300);
+    QCOMPARE(rig.summary(), then);
+    rig.read({sample("force-meter-log.csv")});  // a new batch is not mixed with the old one
+    QCOMPARE(rig.list->topLevelItemCount(), 1);
+    QVERIFY2(rig.summary().startsWith("1 of 1 files"), qPrintable(rig.summary()));
+  }
+
+  void closingEndsIt() {
+    BatchRig rig(at("."));
+    rig.files = QStringList(40, sample("two-level-legend.png"));
+    rig.button("batchFiles").click();
+    rig.dialog->close();
+    QVERIFY(!rig.running());
+    rig.dialog->start(rig.files);
+    rig.dialog.reset();  // with imports at work
+  }
+
+  void aFolderGivesItsSheetsInOrder() {
+    QVERIFY(QDir().mkpath(at("many/inner")));
+    for (const char* name :
+         {"many/10.png", "many/2.PNG", "many/notes.txt", "many/a.button.json", "many/inner/3.csv"})
+      write(at(name), "x");
+    QStringList names;
+    for (const QString& path : sheetsBelow(at("many"))) names << QDir(at("many")).relativeFilePath(path);
+    QCOMPARE(names, QStringList({"2.PNG", "10.png", "inner/3.csv"}));
+    BatchRig rig(at("."));
+    rig.from = at("many/nothing");
+    rig.button("batchFolder").click();
+    QVERIFY(rig.summary().contains("No datasheet"));
+  }
+};
+
+DETENT_WINDOW_TEST(BatchTest)
+#include "batch_test.moc"
