@@ -932,16 +932,6 @@ class Doubts {
 
 }  // namespace
 
-std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce) {
-  if (axis.otherQuantity.empty()) return {};
-  return isForce ? Doubt{DoubtCode::otherQuantity,
-                         {"y", axis.otherQuantity},
-                         {{RemedyKind::giveYUnit, "if it is a force all the same"}}}
-                 : Doubt{DoubtCode::otherQuantity,
-                         {"x", axis.otherQuantity},
-                         {{RemedyKind::giveXUnit, "if it is a travel all the same"}}};
-}
-
 double worthOf(PageClass pageClass) {
   constexpr double onScans = 0.88, onPhotos = 0.66;  // factors of the confidence
   return pageClass == PageClass::scan ? onScans : pageClass == PageClass::photo ? onPhotos : 1;

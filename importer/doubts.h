@@ -4,7 +4,6 @@
 // result does not resemble the strokes of one button. docs/develop/decisions/0805-doubts.md lists the wrong
 // buttons that each check has found.
 
-#include <optional>
 #include <vector>
 
 #include "importer/graph_findings.h"
@@ -16,9 +15,6 @@ struct WeighedDoubt {
   Doubt doubt;
   double confidence = 0;
 };
-
-/// The doubt about an axis that measures neither force nor travel; nullopt without one.
-std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce);
 
 /// Factor for the confidence of the steps on pages of a class, 0..1. Measured:
 /// docs/measurements/import-confidence.md.

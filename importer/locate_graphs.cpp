@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "importer/axes/frame_by_numbers.h"
-#include "importer/doubts.h"
 #include "importer/page/crop.h"
 
 namespace detent::importer {

@@ -5,6 +5,7 @@
 
 #include "editor/canvas/page_underlay.h"
 #include "editor/canvas/traced_points.h"
+#include "editor/document/kept_page.h"
 
 namespace detent::editor {
 namespace {
@@ -83,6 +84,8 @@ void GraphCanvas::takeOrigin() {
                        origin->strokes.release ? origin->strokes.release->points : std::vector<CurvePoint>{});
   }
   if (const auto page = document_.page()) underlay_->setPage(page->picture, page->pixelToAxes);
+  const auto& from = document_.button().provenance();
+  underlay_->setFrame(from ? frameOf(*from).value_or(QRectF()) : QRectF());
   takeSettings();
 }
 

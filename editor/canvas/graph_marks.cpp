@@ -103,7 +103,8 @@ QString nameOf(MarkId id) {
       return (press ? tr("Tactile point %1 of the press") : tr("Tactile point %1 of the release"))
           .arg(number);
     case MarkKind::turn:
-      return (press ? tr("Turn %1 of the press") : tr("Turn %1 of the release")).arg(number);
+      return (press ? tr("Valley or peak %1 of the press") : tr("Valley or peak %1 of the release"))
+          .arg(number);
     case MarkKind::knot:
       return (press ? tr("Knot %1 of the press") : tr("Knot %1 of the release")).arg(number);
     case MarkKind::slopeBefore:

@@ -331,6 +331,7 @@ constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
 // distance of a tactile point's force label from the point
 constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // of a label with two or three lines
+constexpr double measureGap_px = 8;   // between a measured line and its label
 
 /// Points on both strokes, close enough to tell whether a label covers them.
 std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& scene) {
@@ -765,8 +766,12 @@ void paintMeasurement(QPainter& painter, const PlotMapping& map, const GraphScen
       QStringLiteral("\u0394 ") + quantityWithUnit(up_N, Quantity::force, scene.units, shownDigits)};
   if (along_mm != 0)
     lines << tr("slope %1").arg(quantityWithUnit(up_N / along_mm, Quantity::slope, scene.units, shownDigits));
-  paintTag(painter, (a + b) / 2 + QPointF(0, b.y() < a.y() ? bubbleAway_px : -bubbleAway_px),
-           lines.join(u'\n'), scene.colors.text, scene.colors.background, map.clip_px);
+  // In the corner of the triangle across its right angle, where neither end is covered.
+  const QRectF box = tagBox(painter, a, lines.join(u'\n'), map.clip_px);
+  const QPointF aside((b.x() < a.x() ? 1 : -1) * (box.width() / 2 + measureGap_px),
+                      (b.y() < a.y() ? -1 : 1) * (box.height() / 2 + measureGap_px));
+  paintTag(painter, QPointF((a.x() + b.x()) / 2, (a.y() + b.y()) / 2) + aside, lines.join(u'\n'),
+           scene.colors.text, scene.colors.background, map.clip_px);
 }
 
 void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {

@@ -93,7 +93,12 @@ void PageUnderlay::paint(QPainter& painter, const PlotMapping& map) const {
       screenToLevel.mapRect(map.clip_px).toAlignedRect().adjusted(-1, -1, 1, 1).intersected(picture.rect());
   if (visible.isEmpty()) return;
   painter.save();
+  constexpr double lineOfFrame_px = 2;
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
+  if (!frame_.isEmpty())
+    painter.setClipRect(map.transform().mapRect(frame_).adjusted(-lineOfFrame_px, -lineOfFrame_px,
+                                                                 lineOfFrame_px, lineOfFrame_px),
+                        Qt::IntersectClip);
   painter.setOpacity(opacity_);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.setTransform(levelToScreen, true);

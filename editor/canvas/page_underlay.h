@@ -19,6 +19,9 @@ class PageUnderlay : public QCPLayerable {
   /// `pixelToAxes`: from picture pixels (centre of the top left one at 0,0) to plot coordinates (may be
   /// projective).
   void setPage(const QImage& page, const QTransform& pixelToAxes);
+  /// Part of the plot in which the page is drawn, in its coordinates: outside its frame a page has numbers of
+  /// its own, which would stand beside those of the plot. Empty: everywhere.
+  void setFrame(const QRectF& frame) { frame_ = frame; }
   void clear();
   bool empty() const { return page_.isNull(); }
 
@@ -45,6 +48,7 @@ class PageUnderlay : public QCPLayerable {
   std::vector<QImage> pyramid_;  ///< [0] the shown page, each next one half as wide
   bool darkPaper_ = false;
   QTransform pixelToAxes_;
+  QRectF frame_;
   double opacity_ = 0.5;
 };
 

@@ -6,6 +6,8 @@
 #include <QBuffer>
 #include <string>
 
+#include "model/units.h"
+
 namespace detent::editor {
 namespace {
 
@@ -52,6 +54,17 @@ std::optional<PlacedPage> placedFrom(const PageCutout& cutout) {
   QImage picture;
   if (!picture.loadFromData(QByteArray::fromStdString(cutout.png), "PNG")) return {};
   return PlacedPage{std::move(picture), transformOf(cutout.pixelToAxes), false};
+}
+
+std::optional<QRectF> frameOf(const Provenance& from) {
+  if (!from.xAxis || !from.yAxis) return {};
+  const auto length = lengthUnitFrom(from.xAxis->unit);
+  const auto force = forceUnitFrom(from.yAxis->unit);
+  if (!length || !force) return {};
+  const double mm = millimetresPer(*length), N = newtonsPer(*force);
+  const QRectF span(QPointF(mm * from.xAxis->min, N * from.yAxis->min),
+                    QPointF(mm * from.xAxis->max, N * from.yAxis->max));
+  return span.isEmpty() ? std::nullopt : std::optional(span);
 }
 
 }  // namespace detent::editor

@@ -16,4 +16,7 @@ std::optional<PageCutout> cutoutOf(const PlacedPage& page);
 /// nullopt for a picture that cannot be read. Any thread.
 std::optional<PlacedPage> placedFrom(const PageCutout& cutout);
 
+/// The plot frame of the page in mm and N, y upwards; empty for a button that was not read off a page.
+std::optional<QRectF> frameOf(const Provenance& from);
+
 }  // namespace detent::editor

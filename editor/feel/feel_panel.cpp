@@ -175,8 +175,8 @@ QToolButton* FeelPanel::buttonOf(QAction* action, const char* name, const QStrin
 
 QLayout* FeelPanel::choiceRow() {
   exchange_ = ownAction("exchangeButtons", tr("Press the other button"),
-                        tr("Switch between A and B while pressing. Both are played at their true levels: "
-                           "nothing is made equally loud."),
+                        tr("Switch between A and B while pressing. Both are played at their true levels, "
+                           "without loudness matching."),
                         Qt::Key_X);
   connect(exchange_, &QAction::triggered, &session_, &FeelSession::exchange);
   auto* row = bare(new QHBoxLayout, 4);
@@ -210,14 +210,14 @@ QLayout* FeelPanel::pressRow() {
     return button;
   };
   standardPress_ = choice("standardPress", tr("Standard press"),
-                          tr("Draw and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms"), false);
+                          tr("Show and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms"), false);
   myPress_ = choice("myPress", tr("My last press"),
-                    tr("Draw and play your own last press, on A as on B and after every edit: the same "
-                       "finger for each"),
+                    tr("Show and play your own last press, on A, on B and after every edit, so that all are "
+                       "pressed in the same way"),
                     true);
   standardPress_->setChecked(true);
-  play_ = ownAction("playPress", tr("Play the drawn press"),
-                    tr("Play the press that is drawn on the sound device: the transducer moves by itself"),
+  play_ = ownAction("playPress", tr("Play the press shown"),
+                    tr("Play the press shown; the sound device drives the transducer without a finger"),
                     Qt::Key_P);
   connect(play_, &QAction::triggered, this, [this] {
     session_.play();
@@ -233,16 +233,16 @@ QLayout* FeelPanel::referenceRow() {
                                tr("Compare with a signal of another program: AHAP, .haptic, HJIF, WAV"));
   referenceChoice_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(referenceChoice_, &QToolButton::clicked, this, &FeelPanel::chooseReference);
-  playReference_ = ownAction("playReference", tr("Play the reference"),
-                             tr("Play the reference on the sound device, at the same gain as the press; "
-                                "once more ends it"),
-                             Qt::Key_R);
+  playReference_ = ownAction(
+      "playReference", tr("Play the reference"),
+      tr("Play the reference on the sound device, at the same gain as the press; click again to stop"),
+      Qt::Key_R);
   connect(playReference_, &QAction::triggered, this, [this] {
     session_.player().samplesPlaying() ? session_.stopReference() : session_.playReference();
     showPresses();
   });
   referencePlay_ = buttonOf(playReference_, "playReferenceButton", tr("Play"));
-  noReference_ = described(new QToolButton, "noReference", tr("Take the reference away"));
+  noReference_ = described(new QToolButton, "noReference", tr("Remove the reference"));
   noReference_->setText(QStringLiteral("×"));
   connect(noReference_, &QToolButton::clicked, &session_, [this] { session_.setReference({}); });
   auto* row = bare(new QHBoxLayout, 4);
@@ -348,7 +348,7 @@ void FeelPanel::showPad() {
         failed ? tr("This button cannot be pressed: %1").arg(sentenceOf(*signal->failure)) : QString());
   } else if (!playback::livePlaybackAvailable()) {
     pad_->setButton(std::nullopt, tr("This build of Detent has no live playback, so the pad cannot be "
-                                     "pressed. The vibration is drawn below."));
+                                     "pressed. The vibration is shown below."));
   } else {
     pad_->setButton(padButtonOf(*session_.feltDocument(), session_.state(), session_.full_N()));
   }

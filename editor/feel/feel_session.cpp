@@ -136,7 +136,8 @@ void FeelSession::play() {
   if (!program()) return;
   if (!player_.pressed() && state_ != firstState()) underFinger();  // it was left in another state
   if (!player_.play(std::make_shared<const playback::PressTrace>(signal()->press)))
-    emit said(settings_.sound ? tr("One press at a time") : tr("Switch the sound on to play a press"));
+    emit said(settings_.sound ? tr("Only one press can be played at a time")
+                              : tr("Switch the sound on to play a press"));
 }
 
 // ---- a signal of another program
@@ -175,7 +176,8 @@ void FeelSession::takeReference(std::shared_ptr<const ReferenceDrawing> drawing)
 void FeelSession::playReference() {
   if (!reference_) return;
   if (!player_.playSamples({reference_, &reference_->samples}))
-    emit said(settings_.sound ? tr("One press at a time") : tr("Switch the sound on to play it"));
+    emit said(settings_.sound ? tr("Only one press can be played at a time")
+                              : tr("Switch the sound on to play it"));
 }
 
 // ---- settings

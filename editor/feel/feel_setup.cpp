@@ -57,14 +57,16 @@ void FeelSetup::addPressing(QFormLayout& form) {
 
   followState_ =
       described(new QCheckBox(tr("Graph follows the state")), "followState",
-                tr("Of a self-locking button the graph shows the state that is felt: unlocked, locked."));
+                tr("For a self-locking button, the graph shows the state that is felt: unlocked or locked."));
   connect(followState_, &QCheckBox::toggled, this, &FeelSetup::take);
   form.addRow(QString(), followState_);
 }
 
 void FeelSetup::addFeeling(QFormLayout& form) {
   using playback::FeedbackMode;
-  mode_ = comboBox("modeChoice", tr("Which parts of the button are felt; for comparing with the base case."));
+  mode_ = comboBox(
+      "modeChoice",
+      tr("Which parts of the button are felt; reduced feedback serves as a baseline for comparison."));
   addChoice(mode_, tr("Everything"), static_cast<int>(FeedbackMode::full));
   addChoice(mode_, tr("Clicks only (jumps, bottom-out)"), static_cast<int>(FeedbackMode::clickOnly));
   addChoice(mode_, tr("Slopes only (grains)"), static_cast<int>(FeedbackMode::slopeOnly));
@@ -73,10 +75,11 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   form.addRow(tr("F&eedback:"), mode_);
 
   stamped_ =
-      described(new QRadioButton(tr("Even: every event equally late")), "placementStamped",
-                tr("Events sound at the time at which the finger passed them, plus a constant delay."));
-  fast_ = described(new QRadioButton(tr("Fast: every event at once")), "placementFast",
-                    tr("Events sound as soon as a reading shows them: earlier on average, less evenly."));
+      described(new QRadioButton(tr("Even: constant delay for every event")), "placementStamped",
+                tr("Events are played at the time at which the finger passed them, plus a constant delay."));
+  fast_ =
+      described(new QRadioButton(tr("Fast: every event as early as possible")), "placementFast",
+                tr("Events are played as soon as a reading shows them: earlier on average, less evenly."));
   stampedDelay_ = noteLabel("placementStampedDelay");
   fastDelay_ = noteLabel("placementFastDelay");
   auto* placement = new QWidget;
@@ -95,7 +98,7 @@ void FeelSetup::addFeeling(QFormLayout& form) {
                 tr("A .device file: response of the transducer, calibration of the sensor, as measured "
                    "by detent-play sweep and calibrate."));
   connect(profileFile_, &QPushButton::clicked, this, &FeelSetup::chooseProfile);
-  noProfile_ = described(new QPushButton(tr("None")), "noProfile", tr("Play as for a perfect device"));
+  noProfile_ = described(new QPushButton(tr("None")), "noProfile", tr("Play as for an ideal device"));
   connect(noProfile_, &QPushButton::clicked, this, [this] {
     settings_.profileFile.clear();
     tell();
@@ -122,9 +125,9 @@ void FeelSetup::addSound(QFormLayout& form) {
   connect(rate_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   bufferChoice_ = comboBox("bufferFrames",
                            tr("Samples per buffer: smaller is faster, larger is safer against drop-outs"));
-  addChoice(bufferChoice_, tr("the host's choice"), 0U);
+  addChoice(bufferChoice_, tr("chosen by the system"), 0U);
   for (const unsigned frames : {32U, 64U, 128U, 256U, 512U, 1024U})
-    addChoice(bufferChoice_, tr("%1 frames").arg(frames), frames);
+    addChoice(bufferChoice_, tr("%1 samples").arg(frames), frames);
   connect(bufferChoice_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("Sample &rate:"), rate_);
   form.addRow(tr("&Buffer:"), bufferChoice_);
@@ -288,16 +291,18 @@ void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& t
       note = trouble;
       break;
     case SensorCondition::starting:
-      note = tr("Waiting for the first reading. If none comes: is the baud rate right?");
+      note = tr("Waiting for the first reading. If none arrives, check the baud rate.");
       break;
     case SensorCondition::running:
       note = tr("Running, %1 readings a second").arg(fixedText(status.sensorRate_Hz, 0));
       break;
     case SensorCondition::silent:
-      note = tr("Silent: it has stopped sending. Check its power and its program.");
+      note = tr("No data: the sensor has stopped sending. Check its power supply and firmware.");
       break;
     case SensorCondition::stuck:
-      note = tr("Stuck: the same force for 10 s. Something presses on it, or it is defective.");
+      note =
+          tr("Stuck: the same force for 10 s. Remove anything pressing on the sensor. If the force stays the "
+             "same, the sensor is defective.");
       break;
     case SensorCondition::unplugged:
       note = tr("Unplugged. Resumes when reconnected.");

@@ -24,9 +24,8 @@ ForceBox::ForceBox(ViewSettings& settings, ForceSession& session, QWidget* paren
   meter_ = described(new ForceMeter(settings), "forceMeter");
   stability_ = wrappingLabel("forceStability");
   stable_ = described(new QPushButton(tr("&Nearest stable button")), "nearestStable",
-                      tr("Change the button as little as the device needs: damping first, then slopes; a "
-                         "peak keeps its force. "
-                         "One step that can be undone."));
+                      tr("Change the button only as much as the device requires: damping first, then slopes; "
+                         "peaks keep their force. Can be undone in one step."));
   connect(stable_, &QPushButton::clicked, &session_, &ForceSession::makeStable);
 
   auto* first = new QHBoxLayout;
@@ -52,11 +51,11 @@ QString ForceBox::stateWords() const {
   switch (session_.state()) {
     case ForceState::off:
       return session_.simulated() ? tr("Simulated; nothing is moved. Switch on to watch it.")
-                                  : tr("Off: the device is without force.");
+                                  : tr("Off: the device applies no force.");
     case ForceState::starting:
       return tr("Opening the force device…");
     case ForceState::lost:
-      return tr("The force device is disconnected and without force. Resumes when reconnected.");
+      return tr("The force device is disconnected and applies no force. Resumes when reconnected.");
     case ForceState::failed:
       return tr("No force: %1").arg(session_.trouble());
     case ForceState::on:
@@ -101,7 +100,7 @@ void ForceBox::showMargin() {
   QStringList remarks;
   for (const playback::ForceRemark& remark : session_.remarks())
     remarks << remarkWords(remark, button, settings_.units());
-  stability_->setToolTip(remarks.isEmpty() ? tr("Slopes against what the device bears, drawn over the graph")
+  stability_->setToolTip(remarks.isEmpty() ? tr("Show in the graph which slopes the device can stably render")
                                            : remarks.join('\n'));
 }
 

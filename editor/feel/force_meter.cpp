@@ -21,14 +21,12 @@ constexpr double noBalance_mJ = -1e-3;          // rounding of a step is no ener
 
 ForceMeter::ForceMeter(ViewSettings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("Force, energy and deadlines"));
+  setAccessibleName(tr("Force, energy and timing"));
   setToolTip(
-      tr("<p><b>Force</b> that the device is asked for, of what it may give.</p>"
-         "<p><b>Energy</b> that the finger has put into the button since its rest, and how much of it came "
-         "back. A "
-         "balance below 0 means that the button gave more than it held.</p>"
-         "<p><b>On time</b>: steps of the loop that began within 0.1 ms of their time, and the latest "
-         "one.</p>"));
+      tr("<p><b>Force</b>: the commanded force, and the largest one allowed.</p><p><b>Energy</b>: energy "
+         "that the finger has put into the button since rest, and how much of it was returned. A balance "
+         "below 0 means that the button returned more than it stored.</p><p><b>On time</b>: share of control "
+         "steps that began within 0.1 ms of their time, and the latest one.</p>"));
   setIdle();
 }
 
@@ -62,7 +60,7 @@ void ForceMeter::show(const playback::ForceStatus& status, const ForceEnergy& en
       status.steps > 0 ? static_cast<double>(status.within100us) / static_cast<double>(status.steps) : 1;
   bars_[2] = {
       tr("On time"),
-      tr("%1 %, worst %2 ms").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)),
+      tr("%1 %, latest %2 ms").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)),
       punctual, punctual < punctualShare};
   QStringList words;
   for (const Bar& bar : bars_) words << tr("%1: %2").arg(bar.name, bar.text);

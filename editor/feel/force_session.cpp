@@ -200,14 +200,14 @@ void ForceSession::makeStable() {
     return;
   }
   if (stable->changes.empty()) {
-    emit said(tr("Nothing has to change: the device bears every slope of this button."));
+    emit said(tr("No change is needed: the device can render every slope of this button."));
     return;
   }
   document_->history().apply(stable->button, tr("Nearest stable button"));
   stable_ = stable->button;
   changes_ = stable->changes;
   computeMargin();
-  emit said(tr("Changed to the nearest stable button; undo takes it back."));
+  emit said(tr("Changed to the nearest stable button. Use Undo to go back."));
 }
 
 // ---- the run

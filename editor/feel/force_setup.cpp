@@ -35,8 +35,9 @@ ForceSetup::ForceSetup(ViewSettings& view, QWidget* parent) : QWidget(parent), v
 }
 
 void ForceSetup::addDevice(QFormLayout& form) {
-  device_ = comboBox("forceDevice",
-                     tr("What pushes back: a simulated device with a simulated finger, or a real one"));
+  device_ =
+      comboBox("forceDevice",
+               tr("Device that renders the force: a simulated one with a simulated finger, or a real one"));
   addChoice(device_, tr("none"), QString());
   addChoice(device_, tr("simulated: bench device, 1 µm"), QStringLiteral("sim"));
   addChoice(device_, tr("simulated: Novint Falcon"), QStringLiteral("sim:falcon"));
@@ -53,7 +54,7 @@ void ForceSetup::addDevice(QFormLayout& form) {
   port_->setEditable(true);
   port_->addItems(serialPorts());
   connect(port_, &QComboBox::currentTextChanged, this, &ForceSetup::take);
-  form.addRow(tr("P&ort:"), port_);
+  form.addRow(tr("&Port:"), port_);
 
   firmware_ = described(
       new QPushButton, "forceFirmware",
@@ -89,13 +90,15 @@ void ForceSetup::addLimits(QFormLayout& form) {
             tr("Travel of the handle in one turn of the motor; negative where pressing turns it backwards"),
             {-longestTurn_mm, longestTurn_mm});
   form.addRow(tr("Travel per t&urn:"), turn_);
-  upload_ = described(new QCheckBox(tr("The microcontroller runs the law at its own rate")), "forceUpload",
-                      tr("The force table is uploaded: there is no USB delay between position and force"));
+  upload_ =
+      described(new QCheckBox(tr("Compute the force on the microcontroller, at its own rate")), "forceUpload",
+                tr("The force table is uploaded: there is no USB delay between position and force"));
   connect(upload_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), upload_);
-  controller_ =
-      described(new QCheckBox(tr("Damp where the button gives more than it took")), "forceController",
-                tr("Passivity controller: steadier on a device that shakes, duller where a button snaps"));
+  controller_ = described(
+      new QCheckBox(tr("Add damping where the button returns more energy than it took up")),
+      "forceController",
+      tr("Passivity controller: steadier on a device that vibrates, but less crisp where a button snaps"));
   connect(controller_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), controller_);
 }

@@ -35,13 +35,13 @@ QString placeWords(double from_mm, double to_mm, const DisplayUnits& units) {
 QString boundWords(playback::StabilityBound bound) {
   switch (bound) {
     case playback::StabilityBound::damping:
-      return tr("with its damping");
+      return tr("(limited by its damping)");
     case playback::StabilityBound::quantisation:
-      return tr("with its friction and encoder steps");
+      return tr("(limited by its friction and encoder steps)");
     case playback::StabilityBound::device:
       break;
   }
-  return tr("at all");
+  return tr("(limit of the device)");
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ QString stretchWords(const playback::UnstableStretch& stretch, const Button& but
   return asSentence(stateBefore(button, stretch.state) +
                     what.arg(placeWords(stretch.from_mm, stretch.to_mm, units),
                              shown(stretch.worst.slope_N_per_mm, Quantity::slope, units)) +
-                    tr("; the device bears %1 %2")
+                    tr("; the device can stably render at most %1 %2")
                         .arg(shown(stretch.worst.allowed_N_per_mm, Quantity::slope, units),
                              boundWords(stretch.worst.bound)));
 }
@@ -60,15 +60,16 @@ QString stretchWords(const playback::UnstableStretch& stretch, const Button& but
 QString marginWords(const playback::StabilityMargin& margin, const Button& button,
                     const DisplayUnits& units) {
   if (margin.stable())
-    return tr("Stable: the device bears every slope. The steepest leaves %1.")
+    return tr("Stable: the device can render every slope. Margin at the most critical one: %1.")
         .arg(shown(margin.least.margin_N_per_mm(), Quantity::slope, units));
   const auto worst = std::min_element(
       margin.unstable.begin(), margin.unstable.end(),
       [](const auto& a, const auto& b) { return a.worst.margin_N_per_mm() < b.worst.margin_N_per_mm(); });
-  const QString stretches = margin.unstable.size() == 1
-                                ? tr("In one place the button is steeper than the device bears.")
-                                : tr("In %1 places the button is steeper than the device bears. The worst:")
-                                      .arg(margin.unstable.size());
+  const QString stretches =
+      margin.unstable.size() == 1
+          ? tr("At one place the button is steeper than the device can stably render.")
+          : tr("At %1 places the button is steeper than the device can stably render. The worst:")
+                .arg(margin.unstable.size());
   return stretches + " " + stretchWords(*worst, button, units);
 }
 
@@ -78,41 +79,40 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
   QString words;
   switch (remark.kind) {
     case playback::ForceRemarkKind::bottomOutSoftened:
-      words = tr("the rise of %1 at %2 is felt as %3")
+      words = tr("the rise of %1 at %2 is rendered as %3")
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;
     case playback::ForceRemarkKind::fallSoftened:
-      words = tr("the fall of %1 at %2 is felt as %3")
+      words = tr("the fall of %1 at %2 is rendered as %3")
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;
     case playback::ForceRemarkKind::forceClipped:
-      words = tr("%1 is more than the device can give; %2 is felt")
+      words = tr("%1 exceeds the force of the device; %2 is rendered")
                   .arg(in(remark.value, Quantity::force), in(remark.limit, Quantity::force));
       break;
     case playback::ForceRemarkKind::strokesCross:
-      words =
-          tr("the release lies up to %1 above the press at %2, which would make energy; both are felt as the "
-             "release there")
-              .arg(in(remark.value, Quantity::force), at);
+      words = tr("the release lies up to %1 above the press at %2, which would generate energy; there, both "
+                 "are rendered as the release")
+                  .arg(in(remark.value, Quantity::force), at);
       break;
     case playback::ForceRemarkKind::dampingLimited:
-      words = tr("the damping of %1 at %2 is felt as %3")
+      words = tr("the damping of %1 at %2 is rendered as %3")
                   .arg(in(remark.value, Quantity::damping), at, in(remark.limit, Quantity::damping));
       break;
     case playback::ForceRemarkKind::speedsCross:
-      words = tr("a release lies up to %1 above the press of another speed at %2, which would make energy; "
-                 "the press is felt as "
-                 "that release there")
+      words = tr("a release lies up to %1 above the press of another speed at %2, which would generate "
+                 "energy; there, the press is rendered as that release")
                   .arg(in(remark.value, Quantity::force), at);
       break;
     case playback::ForceRemarkKind::speedLimited:
-      words = (remark.value > 0 ? tr("speed damps by %1 at %2; %3 is felt")
-                                : tr("speed drives by %1 at %2; %3 is felt"))
+      words = (remark.value > 0 ? tr("the dependence on speed damps by %1 at %2; %3 is rendered")
+                                : tr("the dependence on speed adds energy (%1) at %2; %3 is rendered"))
                   .arg(in(std::abs(remark.value), Quantity::damping), at,
                        in(std::abs(remark.limit), Quantity::damping));
       break;
     case playback::ForceRemarkKind::wideReturn:
-      words = tr("from press to release would take %1 on this device; it is cut to %2 and may be unsteady")
+      words = tr("the change from press to release would need %1 of travel on this device; it is limited to "
+                 "%2 and may be unstable")
                   .arg(in(2 * remark.value, Quantity::length), in(2 * remark.limit, Quantity::length));
       break;
   }

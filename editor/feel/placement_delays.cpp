@@ -15,7 +15,7 @@ QString measuredDelay(playback::EventPlacement placement, unsigned bufferFrames)
   };
   for (const PlacementDelay& delay : placementDelays)
     if (delay.placement == placement && (nearest == nullptr || far(delay) < far(*nearest))) nearest = &delay;
-  return QCoreApplication::translate("PlacementDelay", "%1 ms, scattered over %2 ms (%3 frames at 48 kHz)")
+  return QCoreApplication::translate("PlacementDelay", "%1 ms, spread %2 ms (%3 sample frames at 48 kHz)")
       .arg(fixedText(nearest->median_ms, 1), numberText(nearest->spread_ms, 2),
            numberText(nearest->bufferFrames));
 }

@@ -51,9 +51,9 @@ PressPad::PressPad(ViewSettings& settings, QWidget* parent) : QWidget(parent), s
   setAccessibleDescription(
       tr("Press and hold Space or Enter to press the button. Mouse, pen and touch press it too."));
   setToolTip(
-      tr("<p>Press the button: hold <b>Space</b> or <b>Enter</b>, the mouse, a finger, or a pen "
-         "(its pressure is the force).</p><p>The scales show depth and force; lamps light up for what "
-         "is felt.</p>"));
+      tr("<p>Press the button: hold <b>Space</b> or <b>Enter</b>, the mouse button, a finger, or a pen (its "
+         "pressure is the force).</p><p>The scales show depth and force; indicators light up for what is "
+         "felt.</p>"));
   clock_.start();
   connect(&settings_, &ViewSettings::changed, this, qOverload<>(&QWidget::update));
 }
@@ -298,8 +298,10 @@ void PressPad::paintDepth(QPainter& painter) const {
   painter.setPen(colors.axis);
   const DisplayUnits& units = settings_.units();
   const QRectF label(x + 14, area.top() - 8, side_px - 20, 16);
+  // A curve that was read off a page starts a little beside zero.
+  const double step_mm = button_->end_mm / 1000;
   painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter,
-                   numberText(units.lengthFrom(button_->start_mm), 3));
+                   numberText(units.lengthFrom(step_mm * std::round(button_->start_mm / step_mm)), 3));
   painter.drawText(label.translated(0, area.height()), Qt::AlignLeft | Qt::AlignVCenter,
                    numberText(units.lengthFrom(button_->end_mm), 3));
 }
@@ -391,7 +393,7 @@ void PressPad::paintReadout(QPainter& painter) const {
   const Light lights[] = {
       {tr("contact"), colors.operatingPoint, motion_.contact ? 1.0 : 0.0},
       {tr("jump"), colors.tactilePoint, std::max(lampGlow(Lamp::pressJump), lampGlow(Lamp::releaseJump))},
-      {tr("bottom"), colors.refused, lampGlow(Lamp::bottomOut)}};
+      {tr("bottom-out"), colors.refused, lampGlow(Lamp::bottomOut)}};
   painter.setFont(scaled(font(), 0.8));
   const QFontMetricsF metrics = painter.fontMetrics();
   double width_px = 0;

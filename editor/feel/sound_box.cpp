@@ -112,7 +112,7 @@ void SoundBox::showSound() {
   const SoundState sound = session_.player().sound();
   again_->setVisible(sound == SoundState::failed);
   if (sound == SoundState::lost || sound == SoundState::failed)
-    emit session_.said(tr("No sound: the finger is followed silently"));
+    emit session_.said(tr("No sound: presses are tracked without sound"));
   showStatus();
 }
 
@@ -121,12 +121,12 @@ QString SoundBox::soundWords() const {
   switch (session_.player().sound()) {
     case SoundState::off:
       return session_.settings().sound ? tr("Sound starts with the first press.")
-                                       : tr("Sound is off; the finger is followed silently.");
+                                       : tr("Sound is off; presses are tracked without sound.");
     case SoundState::starting:
-      return tr("Opening the sound device; the finger is followed silently until then.");
+      return tr("Opening the sound device; until then, presses are tracked without sound.");
     case SoundState::lost:
-      return tr("The sound device %1 is gone. Plug it in or start its server again: sound goes on by "
-                "itself. Until then the finger is followed silently.")
+      return tr("The sound device %1 is disconnected. Plug it in or start its server again: sound resumes by "
+                "itself. Until then, presses are tracked without sound.")
           .arg(QString::fromStdString(s.device));
     case SoundState::failed:
       return tr("No audio output. Presses are tracked without sound. %1").arg(session_.player().trouble());

@@ -33,8 +33,8 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
   const auto kind = inputKindOf(path);
   if (!kind) return kind.failure();
   if (*kind == InputKind::page)
-    return Failure{FailureCode::wrongUsage, path.toStdString(), "", Message("is a page to import, no button"),
-                   Message("Open it with Import")};
+    return Failure{FailureCode::wrongUsage, path.toStdString(), "",
+                   Message("is a page to import, not a button"), Message("Open it with Import")};
   if (*kind == InputKind::curveCsv) {
     auto button = buttonFromCsv(path);
     if (!button) return button.failure();
@@ -115,9 +115,11 @@ QString suggestedPath(const ButtonDocument& document, const QString& folder, con
   while (name.startsWith('.')) name.remove(0, 1);
   if (name.isEmpty()) name = QStringLiteral("button");
   name.truncate(120);
-  QString path = QDir(folder).filePath(name + ending);
+  // Beside the button's own file: the last folder may be that of the page read last.
+  const QDir place = document.path().isEmpty() ? QDir(folder) : QFileInfo(document.path()).dir();
+  QString path = place.filePath(name + ending);
   for (int n = 2; QFileInfo::exists(path); ++n)
-    path = QDir(folder).filePath(name + QLatin1Char(' ') + QString::number(n) + ending);
+    path = place.filePath(name + QLatin1Char(' ') + QString::number(n) + ending);
   return path;
 }
 

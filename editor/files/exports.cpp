@@ -82,8 +82,8 @@ Result<Done> exportPng(const QImage& picture, const QString& path) {
   QByteArray png;
   QBuffer buffer(&png);
   if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
-    return Failure{FailureCode::internalFault, path.toStdString(), "",
-                   Message("is no picture that a PNG can hold"), Message("Export it smaller")};
+    return Failure{FailureCode::internalFault, path.toStdString(), "", Message("cannot be saved as a PNG"),
+                   Message("Export it at a smaller size")};
   return writeTextFileAtomically(nativePath(path), png.toStdString());
 }
 
@@ -138,7 +138,7 @@ Result<Done> exportDataPackage(const Button& button, const QString& folder) {
   const bool made = std::filesystem::create_directory(path, error);
   if (error)
     return Failure{FailureCode::wrongUsage, folder.toStdString(), "",
-                   Message("cannot be made a folder: %1", error.message()),
+                   Message("cannot be created as a folder: %1", error.message()),
                    Message("Choose another place or name")};
   auto written = writeDataPackage(button, (path / "datapackage.json").string());
   if (!written && made) std::filesystem::remove(path, error);

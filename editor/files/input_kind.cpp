@@ -59,7 +59,7 @@ bool isForeignJson(const QByteArray& start) {
 Result<InputKind> inputKindOf(const QString& path) {
   const QFileInfo info(path);
   if (!info.exists())
-    return unreadable(path, InputKinds::tr("is not there"),
+    return unreadable(path, InputKinds::tr("was not found"),
                       InputKinds::tr("Check the name; it may have been moved or renamed"));
   if (info.isDir())
     return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in it"));
@@ -86,7 +86,7 @@ QStringList importFilters() {
 
 QStringList openFilters() {
   const QString buttons = "*.button.json *.json", csv = "*.csv", recorded = "*.tsv *.xlsx *.ods *.tar";
-  return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + recorded + " " +
+  return {InputKinds::tr("All supported files") + " (" + buttons + " " + csv + " " + recorded + " " +
               pagePatterns() + ")",
           InputKinds::tr("Buttons") + " (" + buttons + ")",
           InputKinds::tr("Datasheets and pictures") + " (" + pagePatterns() + ")",

@@ -12,8 +12,8 @@ namespace detent::editor {
 
 ForecastBar::ForecastBar(QWidget* parent) : QWidget(parent) {
   words_ = described(new QLabel, "forecastWords",
-                     tr("Forecast by a model of touch from the vibration of both; no person was asked. Its "
-                        "limits: predicted-confusion in the documents."),
+                     tr("Predicted by a model of touch from the vibration of both buttons, without "
+                        "participants. Its limits: docs/reference/predicted-confusion.md."),
                      tr("Predicted confusion"));
   words_->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -56,7 +56,7 @@ void ForecastBar::search() {
   if (worker_.joinable()) worker_.join();
   searching_ = true;
   help_->setEnabled(false);
-  help_->setText(tr("Looking…"));
+  help_->setText(tr("Searching…"));
   worker_ = std::thread([this, button = changed_->button(), other = other_->button()] {
     auto found = std::make_shared<const Found>(
         playback::makeDistinguishable(button, other, {}, [this] { return giveUp_.load(); }));
@@ -76,7 +76,8 @@ void ForecastBar::offer(const Found& found, const Button& searched) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (!found) menu->addAction(sentenceOf(found.failure()))->setEnabled(false);
   if (found && found->empty())
-    menu->addAction(tr("No single change of snap, travel or force by up to a factor 4 is sure to help"))
+    menu->addAction(tr("No single change of snap ratio, travel or force by up to a factor of 4 is certain to "
+                       "make them distinguishable"))
         ->setEnabled(false);
   if (found) {
     for (const playback::Suggestion& suggestion : *found)

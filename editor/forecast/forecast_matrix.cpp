@@ -23,14 +23,15 @@ constexpr float strongestTint = 0.6F;
 
 ForecastMatrix::ForecastMatrix(QWidget* parent) : QDialog(parent) {
   setObjectName("forecastMatrix");
-  setWindowTitle(tr("Who will be taken for whom?"));
+  setWindowTitle(tr("Predicted confusion of the open buttons"));
   resize(720, 480);
   auto* title =
-      new QLabel(tr("Errors in 90 that people make when they compare two buttons by feel; 45 is guessing. At "
-                    "most 9: they tell them apart; bold where that is not sure. Double click: compare the "
-                    "two."));
+      new QLabel(tr("Predicted errors in 90 trials when people compare two buttons by feel; 45 means "
+                    "guessing. With at most 9, people can tell them apart; bold where that is not certain. "
+                    "Double-click to compare the two."));
   title->setWordWrap(true);
-  table_ = described(new QTableWidget, "forecastTable", {}, tr("Predicted errors in 90 of every pair"));
+  table_ =
+      described(new QTableWidget, "forecastTable", {}, tr("Predicted errors in 90 trials for every pair"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

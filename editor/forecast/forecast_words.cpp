@@ -10,7 +10,7 @@ namespace detent::editor {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Forecast", text); }
+QString tr(const char* text) { return QCoreApplication::translate("Prediction", text); }
 
 }  // namespace
 

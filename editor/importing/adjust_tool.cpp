@@ -459,12 +459,13 @@ QCursor AdjustTool::cursor(QPointF widget) const {
 QString AdjustTool::hint() const {
   if (active_ && active_->kind == Kind::corner) {
     return tr("The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the "
-              "rectangle stays one.")
+              "plot frame stays rectangular.")
         .arg(tr(cornerName(active_->index)));
   }
   return tr(
       "Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. "
-      "Double-click a tick to type its value. Tab walks through them, arrow keys nudge, Delete removes.");
+      "Double-click a tick to type its value. Tab selects the next element, arrow keys move it, Delete "
+      "removes it.");
 }
 
 }  // namespace detent::editor

@@ -93,7 +93,8 @@ void AxisBox::build() {
   column->addWidget(details_);
   column->addWidget(extend_);
   extend_->setObjectName(axis_ == GraphAxis::x ? QStringLiteral("xExtend") : QStringLiteral("yExtend"));
-  extend_->setToolTip(tr("Numbers of this axis are beyond the plot frame: move its edge there"));
+  extend_->setToolTip(
+      tr("Tick labels of this axis lie outside the plot frame: move its edge to include them"));
   extend_->hide();
   details_->setForegroundRole(QPalette::PlaceholderText);
 }
@@ -116,7 +117,7 @@ QWidget* AxisBox::directionRow() {
   direction_ = new QWidget;
   auto* row = new QHBoxLayout(direction_);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(new QLabel(isX ? tr("Displacement grows:") : tr("Force grows:")));
+  row->addWidget(new QLabel(isX ? tr("Displacement increases:") : tr("Force increases:")));
   rises_ = new QToolButton, falls_ = new QToolButton;
   rises_->setText(isX ? tr("to the right") : tr("upwards"));
   falls_->setText(isX ? tr("to the left") : tr("downwards"));
@@ -290,7 +291,7 @@ void AxisBox::followExtension(const importer::GraphEvidence* evidence, const imp
   extend_->setVisible(extended.has_value());
   if (!extended) return;
   extend_->setText(
-      tr("Extend the frame from %1 to %2")
+      tr("Extend the plot frame from %1 to %2")
           .arg(endText(reading->max, reading->max - reading->min), numberText(extended->value, 5)));
   connect(extend_, &QPushButton::clicked, this, [this, corners = extended->corners] {
     state_.correct(tr("Extend plot frame"), [&](Corrections& c) { c.frame = corners; });
@@ -326,12 +327,12 @@ void AxisBox::showUnit(const Corrections& given, const importer::AxisReading* fo
 QString AxisBox::detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const {
   QStringList details;
   if (!given.ticks.empty()) {
-    details << (given.ticks.size() == 1 ? tr("1 tick given; one more settles the axis")
+    details << (given.ticks.size() == 1 ? tr("1 tick given; one more defines the axis")
                                         : tr("%1 ticks given").arg(given.ticks.size()));
   } else if (found && !found->ticks.empty()) {
     const auto used =
         std::count_if(found->ticks.begin(), found->ticks.end(), [](const auto& t) { return t.used; });
-    details << tr("%1 of %2 labels used (fit %3 px)")
+    details << tr("%1 of %2 tick labels used (residual %3 px)")
                    .arg(used)
                    .arg(found->ticks.size())
                    .arg(fixedText(found->residual_px, 2));

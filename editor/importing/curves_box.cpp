@@ -37,7 +37,7 @@ CurvesBox::CurvesBox(ImportState& state, ViewSettings& settings, QWidget* parent
     : QGroupBox(tr("Curves"), parent),
       state_(state),
       settings_(settings),
-      swap_(new QCheckBox(tr("Exchange press and release"))),
+      swap_(new QCheckBox(tr("Swap press and release"))),
       strokes_(wrappedLabel()) {
   auto* column = new QVBoxLayout(this);
   column->addLayout(strokeRow(Stroke::press));
@@ -45,7 +45,7 @@ CurvesBox::CurvesBox(ImportState& state, ViewSettings& settings, QWidget* parent
   column->addWidget(swap_);
   swap_->setObjectName(QStringLiteral("swapStrokes"));
   connect(swap_, &QCheckBox::clicked, &state_, [this](bool on) {
-    state_.correct(tr("Exchange strokes"), [on](Corrections& c) { c.swapStrokes = on; });
+    state_.correct(tr("Swap press and release"), [on](Corrections& c) { c.swapStrokes = on; });
   });
   column->addWidget(strokes_);
   strokes_->setForegroundRole(QPalette::PlaceholderText);
@@ -102,7 +102,7 @@ QHBoxLayout* CurvesBox::resolutionRow() {
   label->setBuddy(dpi_);
   dpi_->setObjectName(QStringLiteral("dpi"));
   dpi_->setRange({0, 1200});
-  dpi_->setLowestText(tr("by quality"));
+  dpi_->setLowestText(tr("automatic, by quality"));
   dpi_->setKeyboardTracking(false);
   dpi_->setToolTip(
       tr("Resolution at which a page of a document is drawn before it is traced, in dots per inch"));
@@ -139,8 +139,8 @@ void CurvesBox::follow(bool ofLog) {
   strokes_->setText(strokes ? inWords(strokes->evidence, settings_.units()) : QString());
   strokes_->setVisible(strokes && !strokes->evidence.empty());
   masks_->setText(given.masks.empty()       ? tr("none")
-                  : given.masks.size() == 1 ? tr("1 place masked")
-                                            : tr("%1 places masked").arg(given.masks.size()));
+                  : given.masks.size() == 1 ? tr("1 area masked")
+                                            : tr("%1 areas masked").arg(given.masks.size()));
   noMasks_->setVisible(!given.masks.empty());
   const QSignalBlocker quiet(dpi_);
   dpi_->setValue(given.dpi.value_or(0));

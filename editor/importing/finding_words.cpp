@@ -27,9 +27,9 @@ std::optional<CorrectionWords> wordsOf(RemedyKind kind) {
       return {{words("draw the plot frame, or drag its corners onto the ends of the axes"),
                words("Draw plot frame")}};
     case RemedyKind::giveXAxis:
-      return {{words("give the displacement axis the values at its two ends"), words("Set axis values")}};
+      return {{words("enter the values at both ends of the displacement axis"), words("Set axis values")}};
     case RemedyKind::giveYAxis:
-      return {{words("give the force axis the values at its two ends"), words("Set axis values")}};
+      return {{words("enter the values at both ends of the force axis"), words("Set axis values")}};
     case RemedyKind::giveXUnit:
       return {{words("choose the unit of the displacement axis"), words("Displacement unit")}};
     case RemedyKind::giveYUnit:
@@ -43,7 +43,7 @@ std::optional<CorrectionWords> wordsOf(RemedyKind kind) {
     case RemedyKind::setResolution:
       return {{words("set a resolution, so that a picture of the page is traced"), words("Resolution")}};
     case RemedyKind::swapStrokes:
-      return {{words("exchange press and release"), words("Exchange strokes")}};
+      return {{words("swap press and release"), words("Swap press and release")}};
     case RemedyKind::drawPress:
       return {{words("draw along the whole press curve"), words("Draw press curve")}};
     case RemedyKind::chooseSwitch:
@@ -167,7 +167,7 @@ QString nameOfWork(importer::ImportStep step) {
     case importer::ImportStep::read:
       return tr("reading");
     case importer::ImportStep::locate:
-      return tr("finding the frame");
+      return tr("finding the plot frame");
     case importer::ImportStep::view:
       return tr("drawing the page");
     case importer::ImportStep::axes:
@@ -203,7 +203,7 @@ QString inProgress(importer::ImportStep step) {
     case importer::ImportStep::trace:
       return tr("Tracing the curves …");
     case importer::ImportStep::strokes:
-      return tr("Telling press from release …");
+      return tr("Identifying press and release …");
     case importer::ImportStep::refine:
       return tr("Refining the axes …");
     case importer::ImportStep::fit:

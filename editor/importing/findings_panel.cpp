@@ -84,7 +84,7 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
   sure_->setAccessibleName(tr("How sure the import is, in percent"));
   steps_->setForegroundRole(QPalette::PlaceholderText);
   confirmed_->setObjectName(QStringLiteral("confirmed"));
-  confirmed_->setToolTip(tr("Lets a result that is in doubt be imported"));
+  confirmed_->setToolTip(tr("Allows an uncertain result to be imported"));
   connect(confirmed_, &QCheckBox::clicked, &state_, &ImportState::setConfirmed);
   cause_->setObjectName(QStringLiteral("confidenceCause"));
   for (QWidget* each : std::initializer_list<QWidget*>{confidence_, sure_, cause_, steps_, confirmed_})
@@ -158,7 +158,7 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
       explanation.isEmpty() ? QString() : QStringLiteral("<pre>%1</pre>").arg(explanation.toHtmlEscaped()));
   confidence_->setAccessibleDescription(explanation);
   const QString cause = report ? causeOf(*report, settings_.units()) : QString();
-  cause_->setText(cause.isEmpty() ? QString() : tr("because: %1").arg(cause));
+  cause_->setText(cause.isEmpty() ? QString() : tr("reason: %1").arg(cause));
   cause_->setVisible(!cause.isEmpty());
   sure_->setValue(percent);
   sure_->setVisible(report != nullptr);

@@ -199,7 +199,7 @@ void ImportDialog::Impl::buildTools(QToolBar& bar) {
       ->setChecked(true);
   addTool(bar, PageToolKind::scale, "scale", tr("Axis values"), tr("Click ticks and type their values"),
           Qt::ALT | Qt::Key_2);
-  addTool(bar, PageToolKind::drawFrame, "drawFrame", tr("Frame"), tr("Draw a plot frame"),
+  addTool(bar, PageToolKind::drawFrame, "drawFrame", tr("Plot frame"), tr("Draw a plot frame"),
           Qt::ALT | Qt::Key_3);
   addTool(bar, PageToolKind::pressColor, "pressColor", tr("Press curve"), tr("Click the press curve"),
           Qt::ALT | Qt::Key_4);
@@ -263,9 +263,9 @@ void ImportDialog::Impl::build() {
   quality->setMinimumContentsLength(12);  // on a narrow screen its words are cut before the dialogue is
   quality->setAccessibleName(tr("Quality of the import"));
   quality->setToolTip(
-      tr("How carefully the graph is read: the work of an import and the usual distance of the curve from "
-         "the printed one, as measured on drawn graphs "
-         "(docs/measurements/trade.md). Corrections stay when it changes."));
+      tr("How carefully the graph is read: computing time and typical deviation from the printed curve, as "
+         "measured on drawn graphs (docs/measurements/trade.md). Your corrections are kept when you change "
+         "the quality."));
   top->addWidget(open);
   top->addWidget(pasteButton);
   top->addWidget(document, 1);
@@ -539,7 +539,8 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
     case RemedyKind::chooseSwitch:
       return findings->focusSwitches();
     case RemedyKind::swapStrokes:
-      return state.correct(tr("Exchange strokes"), [](Corrections& c) { c.swapStrokes = !c.swapStrokes; });
+      return state.correct(tr("Swap press and release"),
+                           [](Corrections& c) { c.swapStrokes = !c.swapStrokes; });
     default:
       return;  // the bar offers corrections alone
   }

@@ -31,7 +31,7 @@ QString stateOf(const ImportGraph& graph) {
     return brief->doubtful ? sure + QObject::tr(", check it") : sure;
   }
   if (graph.listed) return QObject::tr("Confidence %1 %").arg(qRound(100 * graph.listed->confidence));
-  return QObject::tr("framed by hand");
+  return QObject::tr("plot frame drawn by hand");
 }
 
 }  // namespace

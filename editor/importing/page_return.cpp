@@ -47,7 +47,7 @@ Result<importer::ImportReport> pageAlone(const Button& button,
 }
 
 QString notReadAgain(const Button& button, const std::optional<Failure>& why) {
-  return PageReturn::tr("%1 is there, but the graph was not read again. %2")
+  return PageReturn::tr("%1 was found, but the graph could not be read again. %2")
       .arg(QString::fromStdString(button.provenance()->sourceFile), why ? sentenceOf(*why) : QString());
 }
 
@@ -197,7 +197,9 @@ void PageReturn::take(ButtonDocument& document, const Answer& answer, bool chose
   const QString name = QString::fromStdString(provenance->sourceFile);
   if (answer.path.isEmpty()) {
     if (chosen)
-      return emit refused(&document, tr("This is not the sheet the button was read from, %1.").arg(name));
+      return emit refused(
+          &document,
+          tr("This is not the datasheet that the button was read from, %1. Choose that file.").arg(name));
     showKept(document);
     return emit missing(&document, name);
   }

@@ -65,8 +65,7 @@ class ScaleTool : public PageTool {
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
   QString hint() const override {
     return tr(
-        "Click a tick of an axis and type the value that stands there; two per axis settle it. The corner "
-        "where "
+        "Click a tick of an axis and type the value printed there; two per axis define it. The corner where "
         "the axes meet sets both at once.");
   }
 
@@ -251,10 +250,8 @@ class DrawFrameTool : public RectangleTool {
   using RectangleTool::RectangleTool;
   QString hint() const override {
     return tr(
-        "Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. "
-        "Over "
-        "the frame of the graph shown it corrects that; beside it it adds a graph. Its edges cling to "
-        "lines.");
+        "Drag from one corner of the area in which the curves are drawn to the opposite one. Over the "
+        "current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.");
   }
 
  private:
@@ -407,12 +404,11 @@ class DrawCurveTool : public PageTool {
   }
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
   QString hint() const override {
-    return stroke_ == Stroke::press ? tr("Click points along the press curve, or draw along it; Enter or a "
-                                         "double click ends it. Over "
-                                         "a part of a traced curve it replaces that part.")
-                                    : tr("Click points along the release curve, or draw along it; Enter or a "
-                                         "double click ends it. "
-                                         "Over a part of a traced curve it replaces that part.");
+    return stroke_ == Stroke::press
+               ? tr("Click points along the press curve, or draw along it; Enter or a double-click ends it. "
+                    "Drawing over part of a traced curve replaces that part.")
+               : tr("Click points along the release curve, or draw along it; Enter or a double-click ends "
+                    "it. Drawing over part of a traced curve replaces that part.");
   }
 
  private:
@@ -507,7 +503,7 @@ class PanTool : public PageTool {
   }
   QCursor cursor(QPointF) const override { return from_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor; }
   QString hint() const override {
-    return tr("Drag the page. Everywhere else: with the middle button, or Space and drag.");
+    return tr("Drag the page. With any other tool, drag with the middle button, or hold Space and drag.");
   }
 
  private:

@@ -56,6 +56,18 @@ DisplayUnits unitsOfPage(const ImportGraph& graph, DisplayUnits units) {
 
 QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPointF(box.x1, box.y1)}; }
 
+/// A field that takes Enter for itself: passed on to the page, it would open the field once more.
+class ValueEdit : public QLineEdit {
+ public:
+  using QLineEdit::QLineEdit;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    QLineEdit::keyPressEvent(event);
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) event->accept();
+  }
+};
+
 }  // namespace
 
 PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
@@ -64,9 +76,9 @@ PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setObjectName(QStringLiteral("pageView"));
   setAccessibleName(tr("Page with findings"));
-  setAccessibleDescription(tr(
-      "The page with plot frame, axis ticks and curves as found. Tab walks through corners and ticks, arrow "
-      "keys nudge, Enter types a value."));
+  setAccessibleDescription(
+      tr("The page with plot frame, axis ticks and curves as found. Tab moves through corners and ticks, "
+         "arrow keys move the selected one, Enter opens its value."));
   connect(&state_, &ImportState::documentChanged, this, &PageView::takeCurrent);
   connect(&state_, &ImportState::currentChanged, this, &PageView::takeCurrent);
   connect(&state_, &ImportState::resultChanged, this, &PageView::takeResult);
@@ -255,7 +267,7 @@ std::optional<QColor> PageView::curveColorAt(QPointF widget) const {
 
 void PageView::ask(const TypedValue& field) {
   closeEditor();
-  auto* editor = described(new QLineEdit(field.text, this), "tickValue", field.name, field.name);
+  auto* editor = described(new ValueEdit(field.text, this), "tickValue", field.name, field.name);
   editor->setPlaceholderText(field.placeholder);
   editor->setFixedWidth(valueField_px);
   QPoint place = toWidget(field.at).toPoint() + field.beside;
@@ -673,7 +685,7 @@ bool PageView::event(QEvent* event) {
           adviceFor(state_.page(state_.currentPage()).rejected[*index].why, state_.documentName());
       QToolTip::showText(
           help->globalPos(),
-          tr("Not taken for a force graph: %1 Click to import it by hand.").arg(advice.problem), this);
+          tr("Not recognised as a force graph: %1 Click to import it by hand.").arg(advice.problem), this);
     } else {
       QToolTip::hideText();
     }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <QPolygonF>
 
+#include "editor/document/kept_page.h"
 #include "editor/importing/page_picture.h"
-#include "model/units.h"
 
 namespace detent::editor {
 namespace {
@@ -20,17 +20,6 @@ constexpr int nearCurve_px = 2,
 constexpr int leastContrast = 60;  // of 255, in one channel
 
 /// What the frame spans: displacement to the right, force upwards.
-std::optional<QRectF> spanOf(const Provenance& from) {
-  if (!from.xAxis || !from.yAxis) return {};
-  const auto length = lengthUnitFrom(from.xAxis->unit);
-  const auto force = forceUnitFrom(from.yAxis->unit);
-  if (!length || !force) return {};
-  const double mm = millimetresPer(*length), N = newtonsPer(*force);
-  const QRectF span(QPointF(mm * from.xAxis->min, N * from.yAxis->min),
-                    QPointF(mm * from.xAxis->max, N * from.yAxis->max));
-  return span.isEmpty() ? std::nullopt : std::optional(span);
-}
-
 importer::Box around(const importer::Box& frame, const importer::Page& page) {
   const double room = margin * std::max(frame.width(), frame.height());
   return {std::max(0.0, frame.x0 - room), std::max(0.0, frame.y0 - room),
@@ -104,7 +93,7 @@ std::optional<PlacedPage> placedPage(const Button& button, const importer::Docum
                                      const importer::Progress& progress) {
   if (!button.provenance() || button.provenance()->frame.size() != 4) return {};
   const Provenance& from = *button.provenance();
-  const auto span = spanOf(from);
+  const auto span = frameOf(from);
   const auto page = sheet.page(from.page, progress);
   if (!span || !page) return {};
   const importer::Box frame{from.frame[0], from.frame[1], from.frame[2], from.frame[3]};

@@ -72,7 +72,7 @@ QString ResultBox::strokeText(const QString& name, const importer::StrokeReport&
   const DisplayUnits& units = settings_.units();
   QString text = stroke.fit.pieces == 1 ? tr("%1: 1 piece").arg(name)
                                         : tr("%1: %2 pieces").arg(name).arg(stroke.fit.pieces);
-  if (stroke.rms_px > 0) text += tr(", off by %1 px").arg(numberText(stroke.rms_px, 2));
+  if (stroke.rms_px > 0) text += tr(", deviation %1 px").arg(numberText(stroke.rms_px, 2));
   for (const auto& fitted : stroke.fit.tactilePoints)
     text += tr("\n   tactile point %1, %2")
                 .arg(quantityWithUnit(fitted.point.displacement_mm, Quantity::length, units, digits),

@@ -39,7 +39,7 @@ AverageDialog::AverageDialog(std::vector<Button> buttons, const QStringList& tit
   why_->setWordWrap(true);
   auto* ends = new QDialogButtonBox(QDialogButtonBox::Cancel);
   create_ = described(ends->addButton(tr("&Create"), QDialogButtonBox::AcceptRole),
-                      QStringLiteral("averageCreate"), tr("Opens the average in a tab of its own"));
+                      QStringLiteral("averageCreate"), tr("Opens the average in a new tab"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(new QLabel(tr("Average which buttons?")));
   layout->addWidget(list_, 1);

@@ -39,9 +39,10 @@ std::vector<ButtonTemplate> buttonTemplates() {
   add("clicky", Templates::tr("Clicky"), Templates::tr("The force collapses at the tactile point"),
       clickyButton());
   add("two-level", Templates::tr("Two-level"),
-      Templates::tr("Two tactile points, the second stronger, as of a camera shutter"), twoLevelButton());
+      Templates::tr("Two tactile points, the second stronger, as on a camera's shutter button"),
+      twoLevelButton());
   add("self-locking", Templates::tr("Self-locking"),
-      Templates::tr("Stays down at one press and comes back at the next; two states"), selfLockingButton());
+      Templates::tr("One press locks it down, the next press releases it; two states"), selfLockingButton());
   return all;
 }
 

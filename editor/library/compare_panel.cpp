@@ -78,7 +78,7 @@ void ComparePanel::build() {
 }
 
 QWidget* ComparePanel::plotSide() {
-  plot_ = described(new ComparePlot, "comparePlot", {}, tr("The force graphs over each other"));
+  plot_ = described(new ComparePlot, "comparePlot", {}, tr("Overlaid force graphs"));
   plot_->setMinimumHeight(leastPlot_px);
   reading_ = wrappingLabel("compareReading");
   reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
@@ -118,7 +118,7 @@ QWidget* ComparePanel::figureSide() {
   table_->viewport()->installEventFilter(this);
   distance_ = wrappingLabel("compareDistance");
   forecast_ = described(new ForecastBar, "compareForecast");
-  more_ = button<QPushButton>("compareAdd", tr("A&dd button"), tr("Show another open button over these"));
+  more_ = button<QPushButton>("compareAdd", tr("&Add button"), tr("Overlay another open button"));
   connect(more_, &QPushButton::clicked, this, &ComparePanel::addNext);
   fewer_ = button<QPushButton>("compareRemove", tr("&Remove button"), tr("Remove the last button"));
   connect(fewer_, &QPushButton::clicked, this, &ComparePanel::removeLast);
@@ -358,7 +358,7 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
     heads << whole.back();
   }
   for (std::size_t i = 1; i < states.size(); ++i) {
-    whole << tr("%1 less %2").arg(nameOf(*sides_[i]), nameOf(*sides_[0]));
+    whole << tr("%1 − %2").arg(nameOf(*sides_[i]), nameOf(*sides_[0]));
     heads << QStringLiteral("\u0394 ") + nameOf(*sides_[i]);
   }
   heads << tr("Unit");

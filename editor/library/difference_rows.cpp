@@ -51,21 +51,22 @@ auto ifThere(Get get) {
   return [get](const Thing* thing) { return thing ? Value(get(*thing)) : Value(); };
 }
 
+// On the press a tactile point is a peak, on the release a valley.
 void addTactilePoint(Rows& rows, const QString& prefix, bool press, const Events& events) {
   const auto add = [&](const QString& name, Measure measure, auto get) {
     rows.add(prefix + name, measure, events, ifThere<TactileEvent>(get));
   };
-  add(Differences::tr("displacement"), Measure::length,
+  add(press ? Differences::tr("peak travel") : Differences::tr("valley travel"), Measure::length,
       [](const TactileEvent& e) { return e.point.displacement_mm; });
-  add(Differences::tr("force"), Measure::force, [](const TactileEvent& e) { return e.point.force_N; });
-  add(press ? Differences::tr("force of the valley after it") : Differences::tr("force of the hump after it"),
-      Measure::force,
+  add(press ? Differences::tr("peak force") : Differences::tr("valley force"), Measure::force,
+      [](const TactileEvent& e) { return e.point.force_N; });
+  add(press ? Differences::tr("valley force") : Differences::tr("peak force"), Measure::force,
       [](const TactileEvent& e) { return e.following ? Value(e.following->force_N) : Value(); });
   add(Differences::tr("snap ratio"), Measure::share, [](const TactileEvent& e) { return e.snapRatio; });
-  add(Differences::tr("length of the jump"), Measure::length, [](const TactileEvent& e) {
+  add(Differences::tr("jump length"), Measure::length, [](const TactileEvent& e) {
     return e.jump ? Value(std::abs(e.jump->to_mm - e.jump->from_mm)) : Value();
   });
-  add(Differences::tr("area of the jump"), Measure::work,
+  add(Differences::tr("jump area"), Measure::work,
       [](const TactileEvent& e) { return e.jump ? Value(e.jumpArea_mJ) : Value(); });
 }
 
@@ -86,7 +87,7 @@ void addTactilePoints(Rows& rows, const QString& name, bool press, const Strokes
     for (const StrokeMetrics* stroke : strokes)
       events.push_back(stroke && i < stroke->tactile.size() ? &stroke->tactile[i] : nullptr);
     const QString number = most > 1 ? " " + QString::number(i + 1) : QString();
-    addTactilePoint(rows, name + ": " + Differences::tr("tactile point%1, ").arg(number), press, events);
+    addTactilePoint(rows, name + number + ": ", press, events);
   }
 }
 
@@ -101,7 +102,7 @@ void addStroke(Rows& rows, const QString& name, bool press, const Strokes& strok
   else
     add(Differences::tr("force at the start of the travel"), Measure::force, startForce);
   add(Differences::tr("largest force"), Measure::force, [](const StrokeMetrics& s) { return s.maxForce_N; });
-  add(Differences::tr("first slope"), Measure::slope, firstSlope);
+  add(Differences::tr("initial slope"), Measure::slope, firstSlope);
   add(Differences::tr("tactile points"), Measure::count,
       [](const StrokeMetrics& s) { return static_cast<double>(s.tactile.size()); });
   addTactilePoints(rows, name, press, strokes);
@@ -200,10 +201,11 @@ QString shownUnit(Measure measure, const DisplayUnits& units) {
 
 QString shownDistance(const GraphDistance& distance, const DisplayUnits& units) {
   const auto line = [&](const QString& name, const StrokeDistance& stroke) {
-    return Differences::tr("%1: mean %2 % of the first one's range, largest %3 % (up to %4 %5, %6 %7)")
-        .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
-             number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
-             number(units.forceFrom(stroke.max_N)), units.forceSymbol());
+    return Differences::
+        tr("%1: mean difference %2 % of the first button's force range, largest %3 % (up to %4 %5, %6 %7)")
+            .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
+                 number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
+                 number(units.forceFrom(stroke.max_N)), units.forceSymbol());
   };
   QStringList lines;
   if (distance.press) lines << line(Differences::tr("Press"), *distance.press);

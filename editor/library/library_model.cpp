@@ -117,8 +117,9 @@ QVariant OpenButtonsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole: {
       const QString file = row.document->path().isEmpty() ? tr("Not saved yet")
                                                           : QDir::toNativeSeparators(row.document->path());
-      return foretold ? tr("%1\nAgainst the button shown: %2").arg(file, forecastWords(forecast->second))
-                      : file;
+      return foretold
+                 ? tr("%1\nCompared with the button shown: %2").arg(file, forecastWords(forecast->second))
+                 : file;
     }
     case Qt::AccessibleTextRole:
       return row.document->history().modified() ? tr("%1, with unsaved changes").arg(row.document->title())

@@ -35,8 +35,7 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   share_->setValue(50);
   percent_ = described(new QLabel, QStringLiteral("morphPercent"));
   percent_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
-  plot_ = described(new ComparePlot, QStringLiteral("morphPlot"), {},
-                    tr("The three force graphs over each other"));
+  plot_ = described(new ComparePlot, QStringLiteral("morphPlot"), {}, tr("The three force graphs, overlaid"));
   plot_->setMinimumSize(leastMorphPlot_px);
   forecastFrom_ = wrappingLabel("morphForecastFrom");
   forecastTo_ = wrappingLabel("morphForecastTo");
@@ -115,8 +114,8 @@ void MorphDialog::follow() {
 
 void MorphDialog::say(const Forecast& forecast) {
   if (forecast.pairs.size() != 2) return forecastFrom_->setText(forecast.trouble);
-  forecastFrom_->setText(tr("Against A: %1").arg(forecastWords(forecast.pairs[0])));
-  forecastTo_->setText(tr("Against B: %1").arg(forecastWords(forecast.pairs[1])));
+  forecastFrom_->setText(tr("Compared with A: %1").arg(forecastWords(forecast.pairs[0])));
+  forecastTo_->setText(tr("Compared with B: %1").arg(forecastWords(forecast.pairs[1])));
 }
 
 }  // namespace detent::editor

@@ -30,8 +30,8 @@ FilterBar::FilterBar(const DisplayUnits& units, QWidget* parent) : QWidget(paren
   using importer::SwitchKind;
   for (const SwitchKind kind : {SwitchKind::linear, SwitchKind::between, SwitchKind::tactile})
     kind_->addItem(kindWords(kind), static_cast<int>(kind));
-  add_ = described(new QPushButton(tr("&Figure from \u2026 to \u2026")), "measuredAddRange",
-                   tr("Show only switches with a figure within bounds"));
+  add_ = described(new QPushButton(tr("Key &figure from … to …")), "measuredAddRange",
+                   tr("Show only switches with a key figure within limits"));
   auto* first = new QHBoxLayout;
   first->addWidget(words_, 1);
   first->addWidget(kind_);
@@ -65,8 +65,8 @@ void FilterBar::addRange() {
   range.figure->setCurrentIndex(static_cast<int>(KeyFigure::peakForce));
   range.low = endOf("measuredLeast", tr("at least"));
   range.high = endOf("measuredMost", tr("at most"));
-  auto* away = described(new QToolButton, "measuredRemoveRange", tr("Take this condition away"),
-                         tr("Take this condition away"));
+  auto* away = described(new QToolButton, "measuredRemoveRange", tr("Remove this condition"),
+                         tr("Remove this condition"));
   away->setText(QStringLiteral("\u00d7"));
   away->setAutoRaise(true);
   range.row = new QWidget;

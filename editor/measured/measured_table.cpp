@@ -195,8 +195,8 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
   }
   if (const auto figure = figureOf(section)) {
     if (role == Qt::ToolTipRole)
-      return tr("%1\nBehind ± stands a standard error: of the meter's noise and steps, not of its "
-                "calibration")
+      return tr("%1\nThe value after ± is the standard error from the meter's noise and resolution, without "
+                "its calibration")
           .arg(definitionOf(*figure));
     return role == Qt::DisplayRole ? figureTitle(*figure, units_) : QVariant();
   }
@@ -204,14 +204,15 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
   if (!asTip && role != Qt::DisplayRole) return {};
   switch (section) {
     case kindColumn:
-      return asTip ? tr("By the drop: linear below 5 gf, tactile above 8 gf, between") : tr("Kind");
+      return asTip ? tr("By the tactile drop: linear below 5 gf, tactile above 8 gf, otherwise intermediate")
+                   : tr("Kind");
     case distanceColumn:
-      return asTip ? tr("In lab noises, the difference of two laboratories on one switch; below 1 two "
-                        "records may be one switch")
+      return asTip ? tr("In multiples of the difference between two laboratories on the same switch; below "
+                        "1, two records may be of the same switch")
                    : tr("Distance");
     case forecastColumn:
-      return asTip ? tr("Forecast of the difference from the reference, for the nearest only")
-                   : tr("Forecast");
+      return asTip ? tr("Predicted difference from the reference switch, for the nearest only")
+                   : tr("Prediction");
     case licenceColumn:
       return asTip ? tr("Licence of the measurements, from their folder") : tr("Licence");
     case creditColumn:

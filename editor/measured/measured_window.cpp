@@ -78,8 +78,8 @@ MeasuredWindow::MeasuredWindow(MeasuredContext context, QWidget* parent)
   progress_->setRange(0, 1000);
   cancel_ = actionButton("measuredCancel", tr("Stop"), tr("Stop reading; what was read is kept"),
                          [this] { source_.cancel(); });
-  refusedButton_ = actionButton("measuredRefused", tr("Refused files…"),
-                                tr("Which files were not taken, and why"), [this] { showRefused(); });
+  refusedButton_ = actionButton("measuredRefused", tr("Rejected files…"),
+                                tr("Which files were rejected, and why"), [this] { showRefused(); });
   auto* state = new QHBoxLayout;
   state->addWidget(said_, 1);
   state->addWidget(refusedButton_);
@@ -172,11 +172,11 @@ QToolButton* MeasuredWindow::libraryButton() {
   };
   add("measuredAddMore", tr("&Add a folder…"), tr("Read the measurements of a folder and all below it"),
       [this] { askForFolder(); });
-  add("measuredIndexAgain", tr("&Read the folders again"),
-      tr("Take in what changed; the rest is not read anew"), [this] { indexAgain(); });
-  auto* pages = described(
-      new QAction(tr("&Datasheets too"), menu), "measuredPages",
-      tr("Force graphs in PDF, SVG and pictures of the folders as well: some seconds for each page, once"));
+  add("measuredIndexAgain", tr("&Read the folders again"), tr("Read only files that have changed"),
+      [this] { indexAgain(); });
+  auto* pages = described(new QAction(tr("Include &datasheets"), menu), "measuredPages",
+                          tr("Also read force graphs from PDF, SVG and picture files in the folders: some "
+                             "seconds per page, once"));
   pages->setCheckable(true);
   pages->setChecked(context_.settings.value("measured/pages", false).toBool());
   connect(pages, &QAction::toggled, this, [this](bool on) {
@@ -195,7 +195,7 @@ QLayout* MeasuredWindow::askRow() {
       described(new QComboBox, "measuredLike",
                 tr("The switches that feel like this one come first, with their distance"), tr("Feels like"));
   like_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* label = new QLabel(tr("Feels &like:"));
+  auto* label = new QLabel(tr("Feels li&ke:"));
   label->setBuddy(like_);
   count_ = wordsOf("measuredCount");
   count_->setWordWrap(false);
@@ -248,10 +248,10 @@ QWidget* MeasuredWindow::tableView() {
 }
 
 QWidget* MeasuredWindow::mapView() {
-  map_ =
-      described(new SwitchMap(table_), "measuredMap",
-                tr("Click a dot or draw a rectangle to choose; with Ctrl to add; a double click shows all"),
-                tr("Map of the switches shown"));
+  map_ = described(new SwitchMap(table_), "measuredMap",
+                   tr("Click a dot or draw a rectangle to select; hold Ctrl to add to the selection; "
+                      "double-click to show all"),
+                   tr("Map of the switches shown"));
   map_->setMinimumSize(leastPlot_px);
   const auto scaleBox = [this](const char* name, const QString& words, int chosen) {
     auto* box = described(new QComboBox, QString::fromLatin1(name), words, words);
@@ -265,7 +265,7 @@ QWidget* MeasuredWindow::mapView() {
   mapX_ = scaleBox("measuredMapX", tr("Horizontal axis of the map"), 0);
   mapY_ = scaleBox("measuredMapY", tr("Vertical axis of the map"), 1);
   auto* choice = new QHBoxLayout;
-  for (const auto& [words, box] : {std::pair(tr("Map: &right"), mapX_), std::pair(tr("&up"), mapY_)}) {
+  for (const auto& [words, box] : {std::pair(tr("Map ho&rizontally"), mapX_), std::pair(tr("&up"), mapY_)}) {
     auto* label = new QLabel(words);
     label->setBuddy(box);
     box->setMinimumContentsLength(12);
@@ -283,14 +283,14 @@ QWidget* MeasuredWindow::mapView() {
 }
 
 QLayout* MeasuredWindow::actionRow() {
-  likeThis_ =
-      actionButton("measuredLikeThis", tr("What feels like &this?"),
-                   tr("Put those first that feel like the switch chosen"), [this] { askLikeChosen(); });
-  openButton_ =
-      actionButton("measuredOpen", tr("Open as a &button"),
-                   tr("Open the chosen switches as buttons, each in a tab"), [this] { openChosen(false); });
+  likeThis_ = actionButton("measuredLikeThis", tr("Find &similar"),
+                           tr("List the switches most similar to the selected one first"),
+                           [this] { askLikeChosen(); });
+  openButton_ = actionButton("measuredOpen", tr("Open as a &button"),
+                             tr("Open the selected switches as buttons, each in a new tab"),
+                             [this] { openChosen(false); });
   compareButton_ = actionButton("measuredCompare", tr("&Compare"),
-                                tr("Open two to six chosen switches and lay them over each other"),
+                                tr("Open two to six selected switches and overlay their curves"),
                                 [this] { openChosen(true); });
   report_ =
       actionButton("measuredReport", tr("Write a &page…"),
@@ -303,7 +303,7 @@ QLayout* MeasuredWindow::actionRow() {
 
 QWidget* MeasuredWindow::fullPage() {
   filter_ = described(new FilterBar(context_.view.units()), "measuredFilter");
-  overlay_ = described(new OverlayPlot, "measuredOverlay", {}, tr("Curves of the switches chosen"));
+  overlay_ = described(new OverlayPlot, "measuredOverlay", {}, tr("Curves of the selected switches"));
   overlay_->setMinimumSize(leastPlot_px);
   auto* plots = new QSplitter(Qt::Vertical);
   plots->addWidget(mapView());
@@ -383,7 +383,7 @@ void MeasuredWindow::indexAgain() {
   loadedOnce_ = true;
   LibraryRequest request = ofFolders();
   if (request.index.folders.empty()) {
-    said_->setText(tr("None of its folders is there. Add one."));
+    said_->setText(tr("None of the folders of the library was found. Add one."));
     return said_->show();
   }
   QDir().mkpath(QFileInfo(database()).absolutePath());
@@ -400,7 +400,7 @@ void MeasuredWindow::sayBusy(bool busy) {
 void MeasuredWindow::sayIndexed(const importer::IndexSummary& summary) {
   refused_ = summary.refusals;
   refusedButton_->setVisible(!refused_.empty());
-  QString sentence = tr("%1 files read (%2 switches), %3 unchanged, %4 refused, %5 gone.")
+  QString sentence = tr("%1 files read (%2 switches), %3 unchanged, %4 rejected, %5 removed.")
                          .arg(summary.imported)
                          .arg(summary.switches)
                          .arg(summary.unchanged)
@@ -414,8 +414,8 @@ void MeasuredWindow::sayIndexed(const importer::IndexSummary& summary) {
 void MeasuredWindow::showRefused() {
   QDialog dialog(this);
   dialog.setObjectName("measuredRefusedList");
-  dialog.setWindowTitle(tr("Refused files"));
-  auto* list = described(new QPlainTextEdit, "measuredRefusedText", {}, tr("Refused files"));
+  dialog.setWindowTitle(tr("Rejected files"));
+  auto* list = described(new QPlainTextEdit, "measuredRefusedText", {}, tr("Rejected files"));
   list->setReadOnly(true);
   for (const importer::RefusedFile& each : refused_)
     list->appendPlainText(QFile::decodeName(QByteArray::fromStdString(each.file)) + '\n' +
@@ -454,7 +454,7 @@ void MeasuredWindow::followDocuments() {
 
 void MeasuredWindow::listRequested() {
   like_->clear();
-  like_->addItem(tr("nothing asked for"));
+  like_->addItem(tr("no reference"));
   for (ButtonDocument* document : listed_) {
     like_->addItem(document->title());
     if (reference_ && reference_->document == document) like_->setCurrentIndex(like_->count() - 1);
@@ -626,7 +626,8 @@ void MeasuredWindow::sayCredits() {
   if (doubtful > 0)
     said += ' ' + (names.size() == 1
                        ? doubtfulScaleWords()
-                       : tr("Forces of %n of them may lie well off other laboratories'.", nullptr, doubtful));
+                       : tr("Forces of %n of them may differ greatly from those of other laboratories.",
+                            nullptr, doubtful));
   credits_->setText(said);
 }
 

@@ -49,7 +49,7 @@ QString kindWords(importer::SwitchKind kind) {
     case importer::SwitchKind::linear:
       return Measured::tr("linear");
     case importer::SwitchKind::between:
-      return Measured::tr("between");
+      return Measured::tr("intermediate");
     case importer::SwitchKind::tactile:
       return Measured::tr("tactile");
   }
@@ -99,11 +99,11 @@ QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& un
                      .arg(termOf(figure), figureText(*sd, figure, units), unitWords(figure, units));
   const QString between = figures.join(QStringLiteral(", "));
   if (spread.units > 1)
-    return ' ' + Measured::tr("%1 records of %2 units, which differ by: %3.")
+    return ' ' + Measured::tr("%1 records of %2 units. Spread: %3.")
                      .arg(spread.records)
                      .arg(spread.units)
                      .arg(between);
-  return ' ' + Measured::tr("%1 records of one unit, which differ by: %2.").arg(spread.records).arg(between);
+  return ' ' + Measured::tr("%1 records of one unit. Spread: %2.").arg(spread.records).arg(between);
 }
 
 QString ratingWords(const std::vector<importer::Rating>& ratings) {
@@ -116,7 +116,7 @@ QString ratingWords(const std::vector<importer::Rating>& ratings) {
 }
 
 QString doubtfulScaleWords() {
-  return Measured::tr("Forces of this kind of file may lie well off other laboratories'.");
+  return Measured::tr("Forces in this kind of file may differ greatly from those of other laboratories.");
 }
 
 QString figureTitle(KeyFigure figure, const DisplayUnits& units) {

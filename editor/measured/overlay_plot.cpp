@@ -109,10 +109,10 @@ void OverlayPlot::redraw() {
   clearGraphs();
   const GraphColors colors = dressPlot(*this);
   const bool dark = isDark(palette());
-  xAxis->setLabel(tr("From first contact (%1)").arg(units_.lengthSymbol()));
+  xAxis->setLabel(tr("Displacement from first contact (%1)").arg(units_.lengthSymbol()));
   yAxis->setLabel(tr("Force (%1)").arg(units_.forceSymbol()));
   drawBand(colors.axis);
-  if (requested_) drawShape(*requested_, QPen(colors.text, 3), tr("asked for"));
+  if (requested_) drawShape(*requested_, QPen(colors.text, 3), tr("reference"));
   for (std::size_t i = 0; i < std::min(entries_.size(), mostCurves); ++i)
     drawShape(*entries_[i].shape, QPen(seriesColor(i, dark), 1.5), shortened(entries_[i].name, longestName));
   if (graphCount() > 0) {

@@ -64,18 +64,17 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
       settings_(settings),
       canvas_(canvas),
       notes_(listOf("notesList", tr("Notes"), {tr("At"), tr("Note")})),
-      versions_(listOf("versionsList", tr("Versions"), {tr("Version"), tr("Kept")})),
+      versions_(listOf("versionsList", tr("Versions"), {tr("Version"), tr("Created")})),
       noteText_(described(new QLineEdit, "noteText", tr("Note for the selected point. Enter adds it."),
                           tr("New note"))),
       versionName_(described(new QLineEdit, "versionName",
-                             tr("Name for the button as it is now; Enter keeps it"),
+                             tr("Name for a version of the button as it is now. Enter adds it."),
                              tr("Name of the version"))),
-      oneEnd_(
-          described(new QCheckBox(tr("Keep all strokes e&nding at the same travel")), "linkOneEnd",
-                    tr("From now on, where one end of press or release goes, the ends of all states go"))),
-      releaseFollows_(described(
-          new QCheckBox(tr("Link &release to press, offset")), "linkRelease",
-          tr("From now on, edits of the press move the release along. The release keeps its shape."))),
+      oneEnd_(described(new QCheckBox(tr("Keep all strokes e&nding at the same travel")), "linkOneEnd",
+                        tr("Moving the end of one stroke also moves the ends of all strokes in all states"))),
+      releaseFollows_(
+          described(new QCheckBox(tr("Link &release to press, offset")), "linkRelease",
+                    tr("Edits of the press also move the release. The release keeps its shape."))),
       offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
                         tr("Mean distance of the release below the press. Another value lowers or raises the "
                            "whole release."))),
@@ -130,7 +129,7 @@ QWidget* AnnotationsPanel::notesBox() {
   noteText_->setPlaceholderText(tr("New note at the selected point"));
   auto* row = new QHBoxLayout;
   row->addWidget(noteText_, 1);
-  removeNote_ = addButton(*row, "noteRemove", tr("Remove"), tr("Take the chosen note away"));
+  removeNote_ = addButton(*row, "noteRemove", tr("Remove"), tr("Remove the selected note"));
   column->addLayout(row);
   connect(noteText_, &QLineEdit::returnPressed, this, &AnnotationsPanel::addNote);
   connect(removeNote_, &QPushButton::clicked, this, [this] {
@@ -151,12 +150,12 @@ QWidget* AnnotationsPanel::versionsBox() {
   versionName_->setPlaceholderText(tr("Version name…"));
   auto* nameRow = new QHBoxLayout;
   nameRow->addWidget(versionName_, 1);
-  removeVersion_ = addButton(*nameRow, "versionRemove", tr("Remove"), tr("Take the chosen version away"));
+  removeVersion_ = addButton(*nameRow, "versionRemove", tr("Remove"), tr("Remove the selected version"));
   column->addLayout(nameRow);
   auto* row = new QHBoxLayout;
-  goBack_ = addButton(*row, "versionGoBack", tr("Restore"), tr("The button becomes the chosen version"));
+  goBack_ = addButton(*row, "versionGoBack", tr("Restore"), tr("Restore the button to the selected version"));
   openVersion_ = addButton(*row, "versionOpen", tr("Open in new tab"),
-                           tr("Open the chosen version as a new button, to compare it"));
+                           tr("Open the selected version as a new button, to compare it"));
   column->addLayout(row);
   connect(versionName_, &QLineEdit::returnPressed, this, &AnnotationsPanel::keepVersion);
   connect(goBack_, &QPushButton::clicked, this, &AnnotationsPanel::goBack);
@@ -263,7 +262,7 @@ void AnnotationsPanel::keepVersion() {
     return emit said(tr("There is a version called “%1” already. Give this one another name.").arg(name));
   next.versions.push_back({name.toStdString(), utcNow(), document_.history().committed().states()});
   versionName_->setText({});
-  document_.annotate(std::move(next), tr("Keep version: %1").arg(name));
+  document_.annotate(std::move(next), tr("Add version: %1").arg(name));
 }
 
 void AnnotationsPanel::goBack() {
@@ -273,7 +272,7 @@ void AnnotationsPanel::goBack() {
   const NamedVersion& version = document_.annotations().versions[static_cast<std::size_t>(at)];
   const Button& now = history.committed();
   if (const auto then = Button::fromStates(now.name(), version.states, now.provenance()))
-    history.replace(*then, tr("Back to: %1").arg(QString::fromStdString(version.name)));
+    history.replace(*then, tr("Restore version: %1").arg(QString::fromStdString(version.name)));
 }
 
 void AnnotationsPanel::openVersion() {
@@ -362,7 +361,7 @@ void AnnotationsPanel::followLinks() {
   offset_->setUnits(settings_.units());
   showOffset();
   pins_->setText(links.pinned.empty() ? tr("No locked points. Press P to lock the selected one.")
-                                      : tr("Pinned points: %1").arg(links.pinned.size()));
+                                      : tr("Locked points: %1").arg(links.pinned.size()));
   pins_->setWordWrap(true);
   unpin_->setEnabled(!links.pinned.empty());
 }

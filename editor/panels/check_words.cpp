@@ -39,7 +39,7 @@ class Words {
 QString sentenceOf(const Warning& warning, const Words& words) {
   switch (warning.rule) {
     case Rule::releaseAbovePress:
-      return Checks::tr("The release lies %1 above the press at %2. Are the strokes exchanged?")
+      return Checks::tr("The release lies %1 above the press at %2. Are press and release swapped?")
           .arg(words.value(), words.place());
     case Rule::strokesDoNotMeet:
       return Checks::tr("The release begins at %1, %2 away from the end of the press at %3.")
@@ -47,10 +47,10 @@ QString sentenceOf(const Warning& warning, const Words& words) {
     case Rule::noRelease:
       return Checks::tr("There is no release curve; the press curve is used instead.");
     case Rule::negativeForce:
-      return Checks::tr("The %1 falls to %2 at %3: the button pulls.")
+      return Checks::tr("The %1 force falls to %2 at %3; a negative force would pull the finger down.")
           .arg(words.stroke(), words.value(), words.place());
     case Rule::fallsAtStart:
-      return Checks::tr("The press begins with a falling force: it cannot be held at its start.");
+      return Checks::tr("The press begins with a falling force; the button has no stable rest position.");
     case Rule::hiddenTactilePoint:
       return Checks::tr("The tactile point of the %1 at %2 lies inside an earlier jump: it is never felt.")
           .arg(words.stroke(), words.place());
@@ -64,15 +64,15 @@ QString sentenceOf(const Warning& warning, const Words& words) {
       return Checks::tr("Damping is given at %1, outside the travel up to %2.")
           .arg(words.place(), words.against());
     case Rule::manyKnots:
-      return Checks::tr("The %1 has %2 knots, more than a hand can edit. Refit it with fewer pieces.")
+      return Checks::tr("The %1 curve has %2 knots, too many to edit by hand. Refit it with fewer pieces.")
           .arg(words.stroke(), words.value());
     case Rule::lowConfidence:
-      return Checks::tr("The import was only %1 % sure. Hold the curves against the page.")
+      return Checks::tr("The confidence of the import is only %1 %. Compare the curves with the page.")
           .arg(std::lround(100 * warning.value));
     case Rule::speedsGiveEnergy:
       return Checks::tr(
-                 "At %1 mm/s the release lies %2 above the press at %3 mm/s, at %4: it would give more than "
-                 "it took.")
+                 "The release at %1 mm/s lies %2 above the press at %3 mm/s, at %4: the button would return "
+                 "more energy than it took up.")
           .arg(numberText(warning.spot.speed_mm_per_s.value_or(0), digits), words.value(),
                numberText(warning.against, digits), words.place());
   }
@@ -84,13 +84,13 @@ QString nameOf(importer::SpecQuantity quantity) {
     case importer::SpecQuantity::totalTravel:
       return Checks::tr("Total travel");
     case importer::SpecQuantity::preTravel:
-      return Checks::tr("Pretravel");
+      return Checks::tr("Pre-travel");
     case importer::SpecQuantity::operatingForce:
       return Checks::tr("Operating force");
     case importer::SpecQuantity::tactileForce:
       return Checks::tr("Tactile force");
     case importer::SpecQuantity::endForce:
-      return Checks::tr("End force");
+      return Checks::tr("Force at the end");
   }
   return {};
 }
@@ -110,7 +110,7 @@ QString wordsOf(const importer::SpecCheck& check, const DisplayUnits& units) {
   QString printed = text(check.spec.nominal);
   if (check.spec.smallest && check.spec.largest)
     printed += Checks::tr(" (%1 to %2)").arg(text(*check.spec.smallest), text(*check.spec.largest));
-  return Checks::tr("%1: the sheet says %2, the graph has %3.")
+  return Checks::tr("%1: the datasheet states %2, the graph has %3.")
       .arg(nameOf(check.spec.quantity), printed, text(check.read));
 }
 

@@ -29,7 +29,7 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
       nothing_(new QLabel) {
   setObjectName(QStringLiteral("checksPanel"));
   list_->setObjectName(QStringLiteral("checksList"));
-  list_->setAccessibleName(tr("Problems and oddities of the button"));
+  list_->setAccessibleName(tr("Problems and warnings of the button"));
   list_->setWordWrap(true);
   list_->setTextElideMode(Qt::ElideNone);
   nothing_->setText(tr("No problems found."));

@@ -167,7 +167,7 @@ void GraphWorkspace::makeToolActions() {
       {ToolKind::addKnot, "toolAddKnot", tr("Add &knot"), tr("Click on a curve to add a knot"),
        QKeySequence(Qt::Key_K)},
       {ToolKind::addJump, "toolAddJump", tr("Add &jump"),
-       tr("Press where the jump begins, pull its valley into place"), QKeySequence(Qt::Key_J)},
+       tr("Press where the jump begins, then drag its valley into place"), QKeySequence(Qt::Key_J)},
       {ToolKind::pan, "toolPan", tr("&Pan"), tr("Drag the view; the middle button does it in every tool"),
        QKeySequence(Qt::Key_H)},
       {ToolKind::zoom, "toolZoom", tr("&Zoom to a rectangle"),
@@ -228,15 +228,16 @@ void GraphWorkspace::makeSelectionActions() {
                                copySelected();
                                hands.removeSelected();
                              });
-  addEditAction("editCopy", tr("&Copy"), tr("Copies the selected stretch as text, or the whole button"),
-                QKeySequence::Copy, [this] { copySelected(); });
+  addEditAction("editCopy", tr("&Copy"),
+                tr("Copies the selected part of the curve as text, or the whole button"), QKeySequence::Copy,
+                [this] { copySelected(); });
   addEditAction("editSelectAll", tr("Select &all"), tr("Selects all knots, operating and reset point"),
                 QKeySequence::SelectAll, [&hands] { hands.selectAll(); });
   severalActions_ = {
-      addEditAction("editAlignForce", tr("Align at one &force"),
+      addEditAction("editAlignForce", tr("Align to the same &force"),
                     tr("Brings the selected knots to the force of the last one"), QKeySequence("Alt+Shift+F"),
                     [&hands] { hands.align(GraphDirection::force); }),
-      addEditAction("editAlignDisplacement", tr("Align at one &displacement"),
+      addEditAction("editAlignDisplacement", tr("Align to the same &displacement"),
                     tr("Brings the selected knots to the displacement of the last one"),
                     QKeySequence("Alt+Shift+D"), [&hands] { hands.align(GraphDirection::displacement); }),
       addEditAction("editDistributeDisplacement", tr("Distribute over d&isplacement"),
@@ -251,7 +252,7 @@ void GraphWorkspace::copySelected() {
   const GraphStretch stretch = stretchOfMarks(canvas_->selection(), canvas_->state(), canvas_->values());
   if (!stretch.empty()) {
     QGuiApplication::clipboard()->setText(textOf(stretch));
-    emit statusMessage(tr("Copied the selected stretch"));
+    emit statusMessage(tr("Copied the selected part of the curve"));
     return;
   }
   emit buttonCopyRequested();
@@ -263,7 +264,7 @@ void GraphWorkspace::paste(const GraphStretch& stretch) {
   const std::size_t state = document_.activeState();
   const auto next = pasteStretch(document_.history().committed(), state, stretch);
   if (!next) return emit statusMessage(sentenceOf(next.failure(), settings_.units()));
-  document_.history().apply(*next, tr("Paste a stretch"));
+  document_.history().apply(*next, tr("Paste part of a curve"));
   std::vector<MarkId> pasted;
   for (const Stroke stroke : {Stroke::press, Stroke::release})
     for (const Knot& knot : stroke == Stroke::press ? stretch.press : stretch.release)
@@ -309,27 +310,28 @@ void GraphWorkspace::makeViewActions() {
                            "alone, with Ctrl force alone"),
                         QKeySequence::ZoomIn),
           &QAction::triggered, this, [zoom] { zoom(1.25); });
-  connect(addViewAction("viewZoomOut", tr("Zoom &out"), tr("Shows more of the plane"), QKeySequence::ZoomOut),
+  connect(addViewAction("viewZoomOut", tr("Zoom &out"), tr("Shows a larger part of the graph"),
+                        QKeySequence::ZoomOut),
           &QAction::triggered, this, [zoom] { zoom(0.8); });
   addSeparator(viewActions_);
   connect(addViewSwitch("viewDisplacementForce", tr("Displacement over &force"),
-                        tr("The graph the other way round, jumps as vertical lines"), false),
+                        tr("Displacement plotted over force; jumps appear as vertical lines"), false),
           &QAction::toggled, this, [this](bool on) {
             reverse_->setVisible(on);
             if (on) reverse_->fit();
           });
-  dampingShown_ = addViewSwitch("viewDamping", tr("&Damping"), tr("b(x), where the button has it"), true);
+  dampingShown_ = addViewSwitch("viewDamping", tr("&Damping"),
+                                tr("Damping b(x) over displacement, if the button has damping"), true);
   connect(dampingShown_, &QAction::toggled, this, &GraphWorkspace::followDocument);
   residualsShown_ =
       addViewSwitch("viewResiduals", tr("&Traced points and residuals"),
-                    tr("The traced points, and how far the curve misses them, ten times enlarged"),
+                    tr("The traced points and the deviation of the curve from them, enlarged ten times"),
                     settings_.residualsShown());
   connect(residualsShown_, &QAction::toggled, &settings_, &ViewSettings::setResidualsShown);
   connect(addViewSwitch("viewMagnifier", tr("&Magnifier"),
-                        tr("Five times as large, while something is dragged"), true),
+                        tr("Magnifies the graph five times while you drag"), true),
           &QAction::toggled, canvas_, &GraphCanvas::setMagnifierShown);
-  connect(addViewSwitch("viewHandles", tr("&Knots"), tr("Knots and turns; without them the picture is plain"),
-                        true),
+  connect(addViewSwitch("viewHandles", tr("&Knots"), tr("Show knots, valleys and peaks on the curves"), true),
           &QAction::toggled, canvas_, &GraphCanvas::setHandlesShown);
   addSeparator(viewActions_);
   addSnapActions();

@@ -70,7 +70,8 @@ QString definitionOf(KeyFigure figure) {
     case drop:
       return KeyFiguresModel::tr("Peak force minus valley force; the drop the finger feels.");
     case snapRatio:
-      return KeyFiguresModel::tr("Tactile drop over peak force; also tactile or click ratio.");
+      return KeyFiguresModel::tr(
+          "Tactile drop divided by peak force; also called tactile ratio or click ratio.");
     case slopeToPeak:
       return KeyFiguresModel::tr("Mean slope from the start to the peak; without a peak, to the bottom-out.");
     case slopeOfDrop:
@@ -82,7 +83,7 @@ QString definitionOf(KeyFigure figure) {
     case resetForce:
       return KeyFiguresModel::tr("Force of the release at the reset point (RF).");
     case differentialTravel:
-      return KeyFiguresModel::tr("Operating point less reset point (MD).");
+      return KeyFiguresModel::tr("Operating point minus reset point (MD).");
     case overTravel:
       return KeyFiguresModel::tr("From the operating point to the end of the press (OT).");
     case bottomOutForce:
@@ -96,7 +97,7 @@ QString definitionOf(KeyFigure figure) {
     case endForce:
       return KeyFiguresModel::tr("Force at the end of the press.");
     case pressWork:
-      return KeyFiguresModel::tr("Area under the press.");
+      return KeyFiguresModel::tr("Area under the press curve.");
     case hysteresis:
       return KeyFiguresModel::tr("Area between press and release: the energy lost in one actuation.");
   }

@@ -59,7 +59,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
                      tr("Show all key figures, not the most used alone"))),
       take_(described(new QPushButton(tr("&Apply")), "takeFigures",
                       tr("Change the curve to the target figures"))),
-      giveUp_(described(new QPushButton(tr("Cance&l")), "giveUpFigures", tr("Clear all targets"))),
+      giveUp_(described(new QPushButton(tr("&Cancel")), "giveUpFigures", tr("Clear all targets"))),
       solving_(described(new QLabel(tr("Solving…")), "keyFiguresSolving")) {
   setObjectName(QStringLiteral("keyFiguresPanel"));
   table_->setModel(model_);
@@ -112,6 +112,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
     if (const QString why = model_->absenceOf(cell); !why.isEmpty()) showRefusal(cell, why);
   });
   connect(model_, &QAbstractItemModel::dataChanged, this, &KeyFiguresPanel::showMeaning);
+  connect(model_, &QAbstractItemModel::dataChanged, this, &KeyFiguresPanel::layOut);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     setTrouble(model_->conflict());
     showMeaning();

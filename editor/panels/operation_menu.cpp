@@ -30,8 +30,8 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
   const auto key = [](int code) {
     return QKeySequence(QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key(code)));
   };
-  add("operationAddJump", tr("Add &jump…"), tr("A tactile point with its valley, by numbers"), key(Qt::Key_J),
-      addJumpOperation, always);
+  add("operationAddJump", tr("Add &jump…"), tr("Add a tactile point with its valley by entering numbers"),
+      key(Qt::Key_J), addJumpOperation, always);
   add("operationRemoveJump", tr("&Remove jump…"), tr("A straight line instead of tactile point and valley"),
       {}, removeJumpOperation, hasTactilePoint);
   add("operationSnapRatio", tr("Snap r&atio…"), tr("How deep the valley lies below the tactile force"),
@@ -47,7 +47,7 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
       scaleForceOperation, always);
   add("operationScaleTravel", tr("Scale &travel…"), tr("All displacements by one factor"), key(Qt::Key_T),
       scaleTravelOperation, always);
-  add("operationRefit", tr("Ref&it curve…"), tr("Number of segments"), key(Qt::Key_I), refitOperation,
+  add("operationRefit", tr("Ref&it curve…"), tr("Number of pieces"), key(Qt::Key_I), refitOperation,
       hasOrigin);
   addSeparator();
   add("operationContacts", tr("&Operating and reset point…"), tr("Where the contact closes and opens"),
@@ -55,13 +55,13 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
   add("operationDamping", tr("&Damping…"), tr("b(x) for force feedback, on or off"), key(Qt::Key_D),
       dampingOperation, always);
   addSeparator();
-  add("operationTwoLevel", tr("T&wo-level button…"), tr("Two tactile points, like a camera shutter"), {},
-      twoLevelOperation, always);
+  add("operationTwoLevel", tr("T&wo-level button…"),
+      tr("Two tactile points, as on a camera's shutter button"), {}, twoLevelOperation, always);
   add("operationSelfLocking", tr("&Self-locking button…"), tr("Two states that alternate at each actuation"),
       {}, selfLockingOperation, always);
-  add("operationAddState", tr("Add s&tate…"), tr("A second state, as a copy of this one"), {},
+  add("operationAddState", tr("Add stat&e…"), tr("A second state, as a copy of this one"), {},
       addStateOperation, hasOneState);
-  add("operationRemoveState", tr("Remove st&ate…"), tr("The other state alone remains"), {},
+  add("operationRemoveState", tr("Remo&ve state…"), tr("Only the other state remains"), {},
       removeStateOperation, hasTwoStates);
   updateActions();
   connect(&document_, &ButtonDocument::originChanged, this, [this] {

@@ -98,33 +98,32 @@ Result<StrokeCurve> refitted(const importer::StrokePoints& traced, Stroke stroke
 
 Operation addJumpOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm();
-  Operation op{
-      tr("Add jump"),
-      tr("From a new tactile point the force falls into a valley and comes back to the curve; on the "
-         "release stroke it rises to a hump."),
-      {strokeField(target),
-       {tr("At"),
-        FieldKind::length,
-        selectedPlace(target, 0.35 * travel),
-        0,
-        travel,
-        tr("Displacement of the tactile point"),
-        {}},
-       {tr("Width"),
-        FieldKind::length,
-        0.15 * travel,
-        0,
-        travel,
-        tr("From the tactile point to where the curve goes on"),
-        {}},
-       {tr("Drop"),
-        FieldKind::force,
-        0.2 * highestForce(target),
-        0,
-        10 * highestForce(target),
-        tr("From the tactile force to the valley"),
-        {}}},
-      {}};
+  Operation op{tr("Add jump"),
+               tr("From a new tactile point the force falls into a valley and returns to the curve; on the "
+                  "release stroke it rises to a peak."),
+               {strokeField(target),
+                {tr("At"),
+                 FieldKind::length,
+                 selectedPlace(target, 0.35 * travel),
+                 0,
+                 travel,
+                 tr("Displacement of the tactile point"),
+                 {}},
+                {tr("Width"),
+                 FieldKind::length,
+                 0.15 * travel,
+                 0,
+                 travel,
+                 tr("From the tactile point to where the curve goes on"),
+                 {}},
+                {tr("Drop"),
+                 FieldKind::force,
+                 0.2 * highestForce(target),
+                 0,
+                 10 * highestForce(target),
+                 tr("From the tactile force to the valley"),
+                 {}}},
+               {}};
   op.edit = [state = target.state](const Button& start, const Values& v) {
     return editOne(start, state, strokeOf(v[0]), [&](const StrokeCurve& curve) {
       return addJump(curve, strokeOf(v[0]), {v[1], v[2], v[3]});
@@ -164,18 +163,17 @@ Operation makeLinearOperation(const OperationTarget& target) {
 
 Operation mirrorOperation(const OperationTarget& target) {
   const double high = highestForce(target);
-  Operation op{
-      tr("Mirror press to release"),
-      tr("The release becomes the press curve, lowered by the hysteresis. Where the press is weaker than "
-         "twice that, the distance shrinks with it."),
-      {{tr("Hysteresis"),
-        FieldKind::force,
-        0.15 * high,
-        0,
-        10 * high,
-        tr("How far the release lies below the press"),
-        {}}},
-      {}};
+  Operation op{tr("Mirror press to release"),
+               tr("The release becomes the press curve, lowered by the hysteresis. Where the press force is "
+                  "less than twice the hysteresis, the distance is reduced in proportion."),
+               {{tr("Hysteresis"),
+                 FieldKind::force,
+                 0.15 * high,
+                 0,
+                 10 * high,
+                 tr("How far the release lies below the press"),
+                 {}}},
+               {}};
   op.edit = [state = target.state](const Button& start, const Values& v) {
     return editGraph(start, state,
                      [&](const ForceGraph& graph) { return mirrorPressToRelease(graph, v[0]); });
@@ -377,13 +375,12 @@ Result<Button> stretched(const Button& plain, double travelFactor, double highes
 
 Operation twoLevelOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm(), high = highestForce(target);
-  Operation op{
-      tr("Two-level button"),
-      tr("Replaces the curves of this state by a button with two tactile points, the second one stronger, "
-         "like a camera shutter."),
-      {{tr("Travel"), FieldKind::length, travel, 1e-3, 100 * travel, {}, {}},
-       {tr("Highest force"), FieldKind::force, high, 1e-3, 100 * high, {}, {}}},
-      {}};
+  Operation op{tr("Two-level button"),
+               tr("Replaces the curves of this state by a button with two tactile points, the second one "
+                  "stronger, as on a camera's shutter button."),
+               {{tr("Travel"), FieldKind::length, travel, 1e-3, 100 * travel, {}, {}},
+                {tr("Highest force"), FieldKind::force, high, 1e-3, 100 * high, {}, {}}},
+               {}};
   op.edit = [state = target.state](const Button& start, const Values& v) -> Result<Button> {
     auto plain = twoLevelButton();
     if (!plain) return plain;
@@ -402,8 +399,7 @@ Operation selfLockingOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm(), high = highestForce(target);
   Operation op{
       tr("Self-locking button"),
-      tr("Replaces the button by one with two states: pressed once it stays down at the lock, pressed again "
-         "it comes back."),
+      tr("Replaces the button by one with two states: one press locks it down, the next press releases it."),
       {{tr("Travel"), FieldKind::length, travel, 1e-3, 100 * travel, {}, {}},
        {tr("Lock at"),
         FieldKind::length,
@@ -439,8 +435,10 @@ Operation addStateOperation(const OperationTarget& target) {
 }
 
 Operation removeStateOperation(const OperationTarget& target) {
-  Operation op{
-      tr("Remove state"), tr("This state goes; the button becomes momentary with the other one."), {}, {}};
+  Operation op{tr("Remove state"),
+               tr("This state is removed; the button becomes momentary with the remaining one."),
+               {},
+               {}};
   op.edit = [state = target.state](const Button& start, const Values&) { return removeState(start, state); };
   return op;
 }

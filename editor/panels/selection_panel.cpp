@@ -88,8 +88,15 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  for (QWidget* part :
-       {static_cast<QWidget*>(title_), static_cast<QWidget*>(table_), static_cast<QWidget*>(trouble_)})
+  // Room for the numbers of any point, so that the figures below do not move with the selection.
+  constexpr int mostLines = 4;
+  auto* room = new QWidget;
+  room->setFixedHeight(2 * table_->frameWidth() + mostLines * table_->verticalHeader()->defaultSectionSize());
+  auto* numbers = new QVBoxLayout(room);
+  numbers->setContentsMargins(0, 0, 0, 0);
+  numbers->addWidget(table_);
+  numbers->addStretch(1);
+  for (QWidget* part : {static_cast<QWidget*>(title_), room, static_cast<QWidget*>(trouble_)})
     layout->addWidget(part);
   connect(delegate, &QAbstractItemDelegate::closeEditor, this,
           [this](QWidget*, QAbstractItemDelegate::EndEditHint hint) {
@@ -141,10 +148,7 @@ void SelectionPanel::layOut() {
     if (shown) height_px += table_->rowHeight(row);
   }
   table_->setVisible(found);
-  // Four lines keep their room, so that the figures below do not jump from one selected point to the next.
-  constexpr int mostLines = 4;
-  table_->setFixedHeight(std::max(
-      height_px, 2 * table_->frameWidth() + mostLines * table_->verticalHeader()->defaultSectionSize()));
+  table_->setFixedHeight(height_px);
 }
 
 void SelectionPanel::showTrouble(const QString& why) {

@@ -31,7 +31,7 @@ QString shortName(MarkId mark) {
     case MarkKind::knot:
       return ValuesModel::tr("Knot %1").arg(number);
     case MarkKind::section:
-      return ValuesModel::tr("Segment %1").arg(number);
+      return ValuesModel::tr("Section %1").arg(number);
     default:
       return nameOf(mark);
   }
@@ -84,7 +84,7 @@ std::vector<ValuesModel::Row> ValuesModel::rowsNow() const {
         values.tactile.size());
     add(press ? tr("Press: valleys and peaks") : tr("Release: valleys and peaks"), MarkKind::turn,
         values.turns.size());
-    add(press ? tr("Press: segments (end point)") : tr("Release: segments (end point)"), MarkKind::section,
+    add(press ? tr("Press: sections (end point)") : tr("Release: sections (end point)"), MarkKind::section,
         values.sections.size());
     add(press ? tr("Press: knots") : tr("Release: knots"), MarkKind::knot,
         state().graph.curve(stroke).knots().size());
@@ -210,7 +210,7 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Horizontal && role == Qt::ToolTipRole) {
     if (section == slopeBefore) return tr("Slope on the knot's left side");
-    if (section == slopeAfter) return tr("Slope on the knot's right side; of a segment, from end to end");
+    if (section == slopeAfter) return tr("Slope on the knot's right side; of a section, from end to end");
   }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   const DisplayUnits& units = settings_.units();

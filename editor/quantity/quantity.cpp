@@ -65,11 +65,10 @@ QuantityReading readPercent(const QString& text, Quantity quantity, std::optiona
 // A number below 1 without its sign is more often a share than a part of a percent.
 QString doubtOfShare(const QString& text, double share, const DisplayUnits& units) {
   const QString typedText = quantityWithUnit(share, Quantity::share, units);
-  if (share > 1)
-    return tr("%1 is more than the whole. Press Enter once more if that is meant.").arg(typedText);
+  if (share > 1) return tr("%1 is more than 100 %. Press Enter again to keep it.").arg(typedText);
   const bool bare = !text.contains(QLatin1Char('%'));
   if (!bare || share <= 0 || share >= percent) return {};
-  return tr("%1 is less than a hundredth. Meant: %2? Press Enter once more if not.")
+  return tr("%1 is less than 1 %. Did you mean %2? Press Enter again to keep it.")
       .arg(typedText, quantityWithUnit(share / percent, Quantity::share, units));
 }
 
@@ -141,17 +140,17 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
   const QString example = symbol.isEmpty() ? numberText(1.25) : numberText(1.25) + QLatin1Char(' ') + symbol;
   switch (reading.trouble) {
     case QuantityTrouble::empty:
-      return tr("Nothing is typed. Type for example %1.").arg(example);
+      return tr("The field is empty. Type for example %1.").arg(example);
     case QuantityTrouble::noNumber:
-      return tr("“%1” is no number. Type for example %2, or +5, or -10 %.").arg(reading.culprit, example);
+      return tr("“%1” is not a number. Type for example %2, or +5, or -10 %.").arg(reading.culprit, example);
     case QuantityTrouble::groupSeparator:
       return tr("“%1” can be read in two ways. Type the number without spaces or separators between "
                 "thousands.")
           .arg(reading.culprit);
     case QuantityTrouble::unknownUnit:
       return symbol.isEmpty()
-                 ? tr("“%1” is no unit for this. Type the number alone.").arg(reading.culprit)
-                 : tr("“%1” is no known unit. Type for example %2.").arg(reading.culprit, example);
+                 ? tr("“%1” is not a unit for this value. Type the number alone.").arg(reading.culprit)
+                 : tr("“%1” is not a known unit. Type for example %2.").arg(reading.culprit, example);
     case QuantityTrouble::otherQuantity:
       return symbol.isEmpty()
                  ? tr("“%1” has a unit. Enter a number without one.").arg(reading.culprit)
@@ -162,9 +161,9 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
       return tr("“%1” changes a value, and there is none yet. Type for example %2.")
           .arg(reading.culprit, example);
     case QuantityTrouble::notWhole:
-      return tr("“%1” is no whole number.").arg(reading.culprit);
+      return tr("“%1” is not a whole number. Type a number without decimals.").arg(reading.culprit);
     case QuantityTrouble::notFinite:
-      return tr("“%1” is out of range.").arg(reading.culprit);
+      return tr("“%1” is too large. Type a smaller number.").arg(reading.culprit);
   }
   return {};
 }

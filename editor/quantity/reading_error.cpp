@@ -43,8 +43,11 @@ QString readText(double value, Quantity quantity, const DisplayUnits& units,
   const double unit = shownUnitOf(quantity, units);
   const double sigma = (quantity == Quantity::length ? error->mm : error->N) / unit;
   if (!(sigma > 0)) return quantityText(value, quantity, units, significant);
+  const int ofError = static_cast<int>(std::ceil(-std::log10(sigma)));
+  const int beforePoint =
+      value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value / unit)))) + 1;
   return fixedText(value / unit,
-                   std::clamp(static_cast<int>(std::ceil(-std::log10(sigma))), 0, mostDecimals));
+                   std::clamp(std::min(ofError, significant - std::max(1, beforePoint)), 0, mostDecimals));
 }
 
 }  // namespace detent::editor

@@ -20,7 +20,7 @@ struct ReadingError {
 std::optional<ReadingError> readingErrorOf(const Button& button);
 
 /// A value (mm, N, N/mm) in the shown unit, without the unit: with the digits that the error leaves, or those
-/// that were typed since; without an error `significant` ones at most.
+/// that were typed since, but at most `significant` ones.
 QString readText(double value, Quantity quantity, const DisplayUnits& units,
                  const std::optional<ReadingError>& error, int significant = 5);
 

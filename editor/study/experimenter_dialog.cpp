@@ -46,7 +46,7 @@ QString kindWords(const playback::ParticipantRecord& record) {
     case playback::SessionKind::real:
       return QCoreApplication::translate("ExperimenterDialog", "person");
     case playback::SessionKind::rehearsal:
-      return QCoreApplication::translate("ExperimenterDialog", "REHEARSAL, nothing felt");
+      return QCoreApplication::translate("ExperimenterDialog", "REHEARSAL, without a device");
     case playback::SessionKind::simulated:
       break;
   }
@@ -109,7 +109,7 @@ QLayout* ExperimenterDialog::folderRow() {
     return made;
   };
   auto* row = new QHBoxLayout;
-  row->addWidget(button("studyNew", tr("&New study…"), tr("Make a study of the open buttons"),
+  row->addWidget(button("studyNew", tr("&New study…"), tr("Create a study with the open buttons"),
                         &ExperimenterDialog::makeNew));
   row->addWidget(button("studyOpen", tr("&Open a study…"), tr("Choose the folder of a study"),
                         &ExperimenterDialog::choose));
@@ -119,8 +119,7 @@ QLayout* ExperimenterDialog::folderRow() {
 
 QWidget* ExperimenterDialog::peopleTable() {
   people_ = described(new QTableWidget(0, columnCount), "studyPeople", {}, tr("Participants"));
-  people_->setHorizontalHeaderLabels(
-      {tr("Participant"), tr("Answered"), tr("Answers by"), tr("To be known")});
+  people_->setHorizontalHeaderLabels({tr("Participant"), tr("Answered"), tr("Answers by"), tr("Remarks")});
   people_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   people_->horizontalHeader()->setSectionResizeMode(notesColumn, QHeaderView::Stretch);
   people_->verticalHeader()->hide();
@@ -132,37 +131,39 @@ QWidget* ExperimenterDialog::peopleTable() {
 }
 
 QLayout* ExperimenterDialog::nextForm() {
-  participant_ =
-      described(new QLineEdit, "studyParticipant",
-                tr("Letters, digits, - and _; no name of a person. One that is in the list goes on at the "
-                   "very question"));
-  answers_ =
-      comboBox("studyAnswers", tr("Where nothing is felt, every row and every page of the report says so"));
+  participant_ = described(new QLineEdit, "studyParticipant",
+                           tr("Letters, digits, - and _; not a person's name. A participant in the list "
+                              "continues with the question they had reached"));
+  answers_ = comboBox(
+      "studyAnswers",
+      tr("Rehearsals and simulated answers are marked in every row and on every page of the report"));
   addChoice(answers_, tr("a person, with the sound device"), static_cast<int>(Answers::person));
-  addChoice(answers_, tr("nobody who counts: a rehearsal without a sound device"),
-            static_cast<int>(Answers::rehearsal));
+  addChoice(answers_, tr("nobody: a rehearsal without a sound device"), static_cast<int>(Answers::rehearsal));
   addChoice(answers_, tr("the program, guessing"), static_cast<int>(Answers::guess));
-  addChoice(answers_, tr("the program, without an error"), static_cast<int>(Answers::perfect));
-  listening_ = comboBox("studyListening", tr("What reaches the ears; kept in every row"));
+  addChoice(answers_, tr("the program, always correct"), static_cast<int>(Answers::perfect));
+  listening_ = comboBox("studyListening", tr("What the participant hears; recorded with every answer"));
   addChoice(listening_, tr("quiet"), static_cast<int>(playback::Listening::quiet));
-  addChoice(listening_, tr("masked by rain"), static_cast<int>(playback::Listening::masked));
-  headphones_ = described(
-      new QLineEdit, "studyHeadphones",
-      tr("Sound device of the headphones that play rain; turn it up until the vibration is inaudible"));
-  headphones_->setPlaceholderText(tr("on the outputs behind the vibration's"));
-  sensor_ = comboBoxOfNames("studySensor",
-                            tr("Serial port of a force sensor under the finger, calibrated by the study's "
-                               "device profile; empty: keys and large buttons press"));
+  addChoice(listening_, tr("masked by rain noise"), static_cast<int>(playback::Listening::masked));
+  headphones_ = described(new QLineEdit, "studyHeadphones",
+                          tr("Sound device of the headphones that play rain noise; turn up the volume until "
+                             "the vibration is inaudible"));
+  headphones_->setPlaceholderText(tr("on the output channels after those of the vibration"));
+  sensor_ = comboBoxOfNames(
+      "studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's device "
+                        "profile. If empty, participants press with keys or large on-screen buttons"));
   sensor_->setEditable(true);
   sensor_->addItem(QString());
   sensor_->addItems(serialPorts());
-  force_ = described(new QCheckBox(tr("force device of Feel it")), "studyForce",
-                     tr("The button is felt on it and pressed there; chosen under Setup of Feel it"));
-  language_ = comboBox("studyLanguage", tr("Of everything the participant reads"));
+  force_ =
+      described(new QCheckBox(tr("force device of the Feel panel")), "studyForce",
+                tr("The button is felt and pressed on this device; choose it in the Feel panel under Setup"));
+  language_ = comboBox("studyLanguage", tr("Language of all texts that the participant reads"));
   for (const QString& code : ParticipantLanguage::carried())
     addChoice(language_, code == "en" ? QStringLiteral("English") : QLocale(code).nativeLanguageName(), code);
   select(language_, QLocale().name().section('_', 0, 0));
-  screen_ = comboBoxOfNames("studyScreen", tr("It is covered wholly; on another one this window stays"));
+  screen_ = comboBoxOfNames(
+      "studyScreen",
+      tr("The participant's window fills this screen; choose another one to keep this window visible"));
   const QList<QScreen*> screens = QGuiApplication::screens();
   for (int i = 0; i < screens.size(); ++i)
     addChoice(screen_, QStringLiteral("%1: %2").arg(i + 1).arg(screens[i]->name()), i);
@@ -170,11 +171,11 @@ QLayout* ExperimenterDialog::nextForm() {
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Next &participant:"), participant_);
-  form->addRow(tr("Their lan&guage:"), language_);
-  form->addRow(tr("Their s&creen:"), screen_);
+  form->addRow(tr("Participant's lan&guage:"), language_);
+  form->addRow(tr("Participant's s&creen:"), screen_);
   form->setRowVisible(screen_, screens.size() > 1);
   form->addRow(tr("&Answers by:"), answers_);
-  form->addRow(tr("&Listening:"), listening_);
+  form->addRow(tr("&Listening condition:"), listening_);
   form->addRow(tr("&Headphones:"), headphones_);
   form->addRow(tr("Force &sensor:"), sensor_);
   form->addRow(QString(), force_);
@@ -185,7 +186,7 @@ QLayout* ExperimenterDialog::nextForm() {
 }
 
 QLayout* ExperimenterDialog::actionRow() {
-  start_ = described(new QPushButton(tr("&Begin or go on")), "studyStart",
+  start_ = described(new QPushButton(tr("&Begin or continue")), "studyStart",
                      tr("Open the participant's window, or let the program answer"));
   report_ = described(new QPushButton(tr("Write the &report…")), "studyReport",
                       tr("Write tables and pictures of the answers so far as one HTML page"));
@@ -225,7 +226,7 @@ void ExperimenterDialog::refresh() {
   start_->setEnabled(false);
   report_->setEnabled(false);
   people_->setRowCount(0);
-  title_->setText(tr("Make a new study of the open buttons, or open the folder of one."));
+  title_->setText(tr("Create a new study with the open buttons, or open the folder of an existing one."));
   if (folder_.isEmpty()) return;
   const Result<playback::Study> study = playback::openStudy(folder_.toStdString());
   if (!study) return tell(studySentence(study.failure()));
@@ -262,7 +263,8 @@ void ExperimenterDialog::listPeople(const std::vector<playback::ParticipantRecor
 void ExperimenterDialog::start() {
   tell({});
   if (window_) {
-    return tell(tr("A participant is at work: finish or pause there first."));
+    return tell(
+        tr("A participant is answering. Finish or pause the session in the participant's window first."));
   }
   Result<playback::Study> study = playback::openStudy(folder_.toStdString());
   if (!study) return tell(studySentence(study.failure()));
@@ -291,7 +293,7 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
     if (!force) return force.failure();
     if (!*force)
       return Failure{FailureCode::wrongUsage, "force device", "", Message("none is chosen"),
-                     Message("Choose one under Setup of Feel it")};
+                     Message("Choose one in the Feel panel under Setup")};
     settings.force = *std::move(force);
   }
   work.sensor = !settings.sensorPort.empty() || settings.force;
@@ -363,7 +365,7 @@ void ExperimenterDialog::showStation(StudyWork work) {
   window_->raise();
   window_->activateWindow();  // the keys are the participant's at once
   window_->setFocus();
-  progress_->setText(tr("%1 is at work.").arg(atWork_));
+  progress_->setText(tr("%1 is answering.").arg(atWork_));
 }
 
 void ExperimenterDialog::showProgress(const StudyProgress& progress) {
@@ -372,15 +374,15 @@ void ExperimenterDialog::showProgress(const StudyProgress& progress) {
       case StudyProgress::At::consent:
         return tr("reads the consent text");
       case StudyProgress::At::words:
-        return tr("reads what comes");
+        return tr("reads the instructions");
       case StudyProgress::At::question:
         return tr("is at a question");
       case StudyProgress::At::rest:
-        return tr("rests");
+        return tr("is resting");
       case StudyProgress::At::pause:
         return tr("pauses");
       case StudyProgress::At::trouble:
-        return tr("waits for you: a device went away");
+        return tr("waits for you: a device was disconnected");
       case StudyProgress::At::end:
         break;
     }

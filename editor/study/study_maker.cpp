@@ -47,8 +47,9 @@ QuantityField* countField(const char* name, std::size_t least, std::size_t most,
 }
 
 QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
-  auto* box = described(new QCheckBox(text), name,
-                        StudyMaker::tr("Every pair is tried in each of these, mixed and unnamed"));
+  auto* box = described(
+      new QCheckBox(text), name,
+      StudyMaker::tr("Every pair is presented with each of these, in random order and without names"));
   box->setChecked(checked);
   return box;
 }
@@ -121,7 +122,8 @@ QLayout* StudyMaker::designForm() {
             static_cast<int>(playback::StudyKind::threshold));
   addChoice(kind_, tr("How is it? A rating"), static_cast<int>(playback::StudyKind::rating));
   addChoice(kind_, tr("When is it pressed? Timing"), static_cast<int>(playback::StudyKind::timing));
-  quantity_ = comboBox("makerQuantity", tr("What there is more of; how much more follows from the answers"));
+  quantity_ =
+      comboBox("makerQuantity", tr("The quantity that is increased; the amount follows from the answers"));
   for (const auto& [text, quantity] :
        {std::pair{tr("force"), playback::LevelQuantity::peakForce},
         std::pair{tr("strength of the click"), playback::LevelQuantity::eventSize},
@@ -136,7 +138,7 @@ QLayout* StudyMaker::designForm() {
   trials_ = countField("makerTrials", 1, playback::mostTrials, playback::StudyDesign{}.trials,
                        tr("Questions for each pair or button, and kind of feedback"));
   practice_ = countField("makerPractice", 0, playback::mostPractice, usualPractice,
-                         tr("Questions before the first that counts"));
+                         tr("Practice questions, which do not count"));
   makeTimingFields();
   makeSoundFields();
   full_ = modeBox("makerFull", tr("everything"), true);
@@ -161,8 +163,8 @@ QLayout* StudyMaker::designForm() {
   form->addRow(tr("Press:"), task_);
   form->addRow(tr("Inter&vals, s:"), intervals_);
   form->addRow(tr("&Windows, s:"), windows_);
-  form->addRow(tr("Seconds a r&un:"), run_s_);
-  form->addRow(tr("&Questions each:"), trials_);
+  form->addRow(tr("Seconds per r&un:"), run_s_);
+  form->addRow(tr("&Questions per condition:"), trials_);
   form->addRow(tr("&Practice:"), practice_);
   form->addRow(tr("Feedback:"), rowOf({full_, clicks_, slopes_}));
   form->addRow(tr("Soun&d:"), sound_);
@@ -170,7 +172,7 @@ QLayout* StudyMaker::designForm() {
   form->addRow(tr("&Level, dB:"), soundLevel_dB_);
   form->addRow(tr("Dela&y, ms:"), soundDelay_ms_);
   form->addRow(tr("Device profile:"),
-               new QLabel(profileFile_.isEmpty() ? tr("none (chosen under Setup of Feel it)")
+               new QLabel(profileFile_.isEmpty() ? tr("none (choose it in the Feel panel under Setup)")
                                                  : QFileInfo(profileFile_).fileName()));
   form->addRow(tr("C&onsent texts:"), consentRow());
   for (QWidget* field :
@@ -188,11 +190,11 @@ void StudyMaker::makeTimingFields() {
   addChoice(task_, tr("as fast as can be kept up"), static_cast<int>(playback::TimingTask::tapping));
   intervals_ =
       numbersField("makerIntervals", usual.intervals_s,
-                   tr("Between beats, or from the ball's start to its window; several parted by "
+                   tr("Between beats, or from the ball's start to its window; separate several with "
                       "semicolons, %1 to %2 s")
                        .arg(numberText(playback::leastInterval_s), numberText(playback::mostInterval_s)));
   windows_ = numbersField("makerWindows", usual.windows_s,
-                          tr("How long the window is open; several parted by semicolons, %1 to %2 s")
+                          tr("How long the window is open; separate several with semicolons, %1 to %2 s")
                               .arg(numberText(playback::leastWindow_s), numberText(playback::mostWindow_s)));
   run_s_ = described(new QuantityField(Quantity::number, {}), "makerRun",
                      tr("From the first press on, %1 to %2")
@@ -202,10 +204,9 @@ void StudyMaker::makeTimingFields() {
 }
 
 QWidget* StudyMaker::consentRow() {
-  consent_ = described(
-      new QLineEdit, "makerConsent",
-      tr("Text files that participants read first, one for each language: NAME.en.txt, NAME.de.txt; "
-         "several parted by semicolons"));
+  consent_ = described(new QLineEdit, "makerConsent",
+                       tr("Text files that participants read first, one for each language: NAME.en.txt, "
+                          "NAME.de.txt; separate several with semicolons"));
   consent_->setPlaceholderText(tr("a short text in English and German"));
   auto* browse = described(new QPushButton(tr("C&hoose…")), "makerConsentBrowse", tr("Choose consent texts"));
   return browsedRow(consent_, browse, [this] {
@@ -275,7 +276,7 @@ QLayout* StudyMaker::folderRow() {
   folder_ =
       described(new QLineEdit, "makerFolder", tr("A new folder; it holds the whole study and can be copied"));
   auto* browse =
-      described(new QPushButton(tr("&Choose…")), "makerBrowse", tr("Choose where the folder is made"));
+      described(new QPushButton(tr("&Choose…")), "makerBrowse", tr("Choose where to create the folder"));
   auto* label = new QLabel(tr("&Folder:"));
   label->setBuddy(folder_);
   auto* row = new QHBoxLayout;
@@ -289,7 +290,7 @@ QLayout* StudyMaker::folderRow() {
 }
 
 QLayout* StudyMaker::actionRow() {
-  make_ = described(new QPushButton(tr("&Make the study")), "makerMake");
+  make_ = described(new QPushButton(tr("Create stud&y")), "makerMake");
   make_->setDefault(true);
   auto* cancel = described(new QPushButton(tr("Cancel")), "makerCancel");
   connect(make_, &QPushButton::clicked, this, &StudyMaker::make);

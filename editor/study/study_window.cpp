@@ -97,13 +97,14 @@ TrialPage* StudyWindow::trialPage() {
 TimingPage* StudyWindow::timingPage() {
   auto* page = new TimingPage({words("Press here"), words("space bar"), words("%1 s left")}, !work_.sensor);
   addWaysOut(page);
-  timed_ = new TimedTrials(*work_.study, *work_.player, page,
-                           {words("Hit"), words("Missed"), words("Stop."),
-                            words("No press came at a time that counts. Once more."),
-                            words("The presses came too close: let the key go each time. Once more."),
-                            words("The button was not pressed far enough. Once more."),
-                            words("It is not kept yet. %1 Once more.")},
-                           this);
+  timed_ = new TimedTrials(
+      *work_.study, *work_.player, page,
+      {words("Hit"), words("Missed"), words("Stop."),
+       words("No press fell within the time that counts. Please try again."),
+       words("The presses were too close together: let go of the key each time. Please try again."),
+       words("The button was not pressed far enough. Please try again."),
+       words("The result is not saved yet. %1 Please try again.")},
+      this);
   connect(timed_, &TimedTrials::kept, this, [this] {
     if (work_.session->trial() == nullptr) {
       if (const Result<Done> ended = work_.session->end("complete"); !ended)
@@ -114,7 +115,7 @@ TimingPage* StudyWindow::timingPage() {
   connect(timed_, &TimedTrials::away, this, &StudyWindow::tellAway);
   connect(timed_, &TimedTrials::back, this, [this] {
     showTrial();
-    tell(words("It is back. This question begins anew."));
+    tell(words("The device is connected again. This question starts over."));
   });
   connect(timed_, &TimedTrials::failed, this, &StudyWindow::showEnd);
   return page;
@@ -131,12 +132,12 @@ void StudyWindow::addWaysOut(QuestionPage* page) {
 KeyedPage* StudyWindow::pausePage() {
   auto* page = new KeyedPage;
   page->addText("studyPauseWords",
-                words("A pause, as long as you like. The question you were at begins anew."), largeText_pt,
-                Qt::AlignCenter, 1);
+                words("Pause for as long as you like. The question you were at will start over."),
+                largeText_pt, Qt::AlignCenter, 1);
   page->addButton({"studyPauseOver", words("Go on"), enterKey()}, [this] { showTrial(); });
   page->addButton(
       {"studyLater", words("Go on another day"), {Qt::Key_L, "L"}, plainText_pt, smallHeight_px},
-      [this] { showEnd(words("Thank you. Next time it goes on at the very question you were at.")); });
+      [this] { showEnd(words("Thank you. Next time you will continue with the question you were at.")); });
   return page;
 }
 
@@ -212,7 +213,7 @@ QString StudyWindow::taskWords() const {
   if (isTimed()) {
     switch (design.task) {
       case playback::TimingTask::cue:
-        return words("Four beats come, evenly. Press with the fourth.");
+        return words("You will hear four even beats. Press with the fourth.");
       case playback::TimingTask::window:
         return words("A ball runs to the right. Press while its middle is between the two bars.");
       case playback::TimingTask::tapping:
@@ -228,7 +229,7 @@ QString StudyWindow::taskWords() const {
   if (design.scale == playback::RatingScale::preference)
     return words("Feel it, then say how much you like it. There is no right or wrong.");
   return words(
-      "Feel it, then give a number as great as it feels strong: what feels twice as strong gets twice the "
+      "Feel it, then give a number for how strong it feels: what feels twice as strong gets twice the "
       "number. Any number above 0 will do.");
 }
 
@@ -241,7 +242,7 @@ QString StudyWindow::howWords() const {
     return work_.sensor ? words("Press the button under your finger.")
                         : words("The space bar presses, or the large field on the screen.");
   return work_.sensor ? words("Choose one, then press the pad with your finger.")
-                      : words("Its key or a click makes you feel it under your finger.");
+                      : words("Press its key or click it to feel it under your finger.");
 }
 
 /// Words for the stimuli that were not pressed through yet, and for those released too early.
@@ -295,7 +296,7 @@ void StudyWindow::decline() {
                                            playback::wallClock_s()};
   if (const Result<Done> kept = playback::recordDeclined(work_.study->folder, decision); !kept)
     return consentTrouble_->setText(sentenceOf(kept.failure()));
-  showEnd(words("Thank you for coming. Nothing about you was kept."));
+  showEnd(words("Thank you for coming. Nothing about you was saved."));
 }
 
 void StudyWindow::showIntroduction() {
@@ -388,7 +389,7 @@ void StudyWindow::answer(std::size_t choice, std::optional<double> rating) {
   playback::Answer given = controller_->answer(choice, now_s());
   given.rating = rating;
   if (const Result<Done> kept = work_.session->record(given); !kept)
-    return tell(words("Your answer is not kept yet. %1 Then answer again.").arg(sentenceOf(kept.failure())));
+    return tell(words("Your answer is not saved yet. %1 Then answer again.").arg(sentenceOf(kept.failure())));
   controller_.reset();
   if (work_.session->trial() == nullptr) {
     if (const Result<Done> ended = work_.session->end("complete"); !ended)
@@ -446,7 +447,7 @@ void StudyWindow::watchDevice() {
   away_ = !away_;
   if (!away_) {
     showTrial();
-    return tell(words("It is back. This question begins anew."));
+    return tell(words("The device is connected again. This question starts over."));
   }
   const Result<Done> noted = work_.session->interrupted(nameOf(trouble));
   trial_->allowAnswers(false);
@@ -458,9 +459,9 @@ void StudyWindow::tellAway(playback::StudyTrouble trouble) {
   show(question_, At::trouble);
   switch (trouble) {
     case playback::StudyTrouble::soundLost:
-      return tell(words("The sound device went away. Please call the experimenter."));
+      return tell(words("The sound device was disconnected. Please call the experimenter."));
     case playback::StudyTrouble::forceLost:
-      return tell(words("The force device went away. Please call the experimenter."));
+      return tell(words("The force device was disconnected. Please call the experimenter."));
     case playback::StudyTrouble::forceStopped:
       return tell(words("There is no force. Please call the experimenter: F9 brings it back."));
     case playback::StudyTrouble::none:
@@ -469,7 +470,7 @@ void StudyWindow::tellAway(playback::StudyTrouble trouble) {
     case playback::StudyTrouble::sensorStuck:
       break;
   }
-  tell(words("The force sensor went away. Please call the experimenter."));
+  tell(words("The force sensor was disconnected. Please call the experimenter."));
 }
 
 void StudyWindow::keyPressEvent(QKeyEvent* event) {

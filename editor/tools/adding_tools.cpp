@@ -93,7 +93,7 @@ bool AddKnotTool::released(const PointerInput& input) {
 // ---- jump
 
 QString AddJumpTool::hint() const {
-  return tr("Press on a rising curve where the jump begins, and pull its valley into place.");
+  return tr("Press on a rising part of a curve where the jump begins, then drag its valley into place.");
 }
 
 void AddJumpTool::leave() { context_.canvas.setFeedback({}); }

@@ -142,7 +142,8 @@ void Keyboard::align(GraphDirection direction) {
   if (context_.busy()) return;
   apply(alignSelection(context_.document.history().committed(), context_.document.activeState(),
                        context_.canvas.selection(), direction),
-        direction == GraphDirection::force ? tr("Align at one force") : tr("Align at one displacement"));
+        direction == GraphDirection::force ? tr("Align to the same force")
+                                           : tr("Align to the same displacement"));
 }
 
 void Keyboard::distribute(GraphDirection direction) {
@@ -175,7 +176,7 @@ void Keyboard::removeSelected() {
         tr("Remove %n points", nullptr, static_cast<int>(all.size())));
   if (selected->kind == MarkKind::turn || isSlope(selected->kind)) selected = selectedKnot();
   if (!selected) {
-    context_.say(tr("There is no knot at this turn. Select a knot or a tactile point."));
+    context_.say(tr("There is no knot at this valley or peak. Select a knot or a tactile point."));
     return;
   }
   apply(removeMark(context_.document.history().committed(), context_.document.activeState(), *selected),
@@ -204,7 +205,7 @@ void Keyboard::togglePin() {
   if (!pinned) next.links.pinned.push_back(pin);
   context_.document.annotate(std::move(next), pinned ? tr("Unlock a point") : tr("Lock a point"));
   context_.say(pinned ? tr("The point can be moved again.")
-                      : tr("Pinned: no edit moves this point until P is pressed on it again."));
+                      : tr("Locked: no edit moves this point until you press P on it again."));
 }
 
 void Keyboard::addKnotBeyond() {

@@ -82,7 +82,7 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   Knot &from = knots[right - 1], &to = knots[right];
   const double width_mm = to.displacement_mm - from.displacement_mm;
   const auto cannot = [&](Message problem) {
-    return markRefusal(Message("segment between knots %1 and %2", right, right + 1), std::move(problem),
+    return markRefusal(Message("piece between knots %1 and %2", right, right + 1), std::move(problem),
                        Message("Add a knot there (K) and move that"));
   };
   if (!(width_mm > 0)) return cannot(Message("is vertical"));
@@ -100,12 +100,12 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   std::array<BentSlope, 2> slopes{
       range(from.slopeAfter_N_per_mm, width_mm * share * (1 - share) * (1 - share)),
       range(to.slopeBefore_N_per_mm, -width_mm * share * share * (1 - share))};
-  if (!bend(slopes, by_N)) return cannot(Message("would get a hump or a dip"));
+  if (!bend(slopes, by_N)) return cannot(Message("would get an extra peak or valley"));
   from.slopeAfter_N_per_mm = slopes[0].slope;
   to.slopeBefore_N_per_mm = slopes[1].slope;
   auto bent = StrokeCurve::fromKnots(std::move(knots));
   if (!bent) return bent;
-  if (turnsOf(*bent) != turnsOf(curve)) return cannot(Message("would get a hump or a dip"));
+  if (turnsOf(*bent) != turnsOf(curve)) return cannot(Message("would get an extra peak or valley"));
   return bent;
 }
 

@@ -160,7 +160,7 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
       std::find_if(marks.rbegin(), marks.rend(), [](MarkId m) { return m.kind == MarkKind::knot; });
   if (last == marks.rend() || marks.size() < 2)
     return selectionRefusal(Message("has fewer than two knots"),
-                            Message("Select two or more; all go to the last one"));
+                            Message("Select two or more; all align with the last one"));
   const StrokeCurve& of = button.states()[state].graph.curve(last->stroke);
   if (last->index >= of.knots().size())
     return selectionRefusal(Message("names a knot that does not exist"), Message("Select the points again"));

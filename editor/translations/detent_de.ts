@@ -18,8 +18,8 @@
         </translation>
     </message>
     <message>
-        <source>%1: %2, of one alone.</source>
-        <translation>%1: %2, nur von einem.</translation>
+        <source>%1: %2 (one button only).</source>
+        <translation>%1: %2 (nur ein Taster).</translation>
     </message>
     <message>
         <source>%1: %2 ± %3.</source>
@@ -38,31 +38,31 @@
     </message>
     <message>
         <source>press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
-        <source>The release lies %1 above the press at %2. Are the strokes exchanged?</source>
-        <translation>Der Rückweg liegt bei %2 um %1 über dem Drücken. Sind die beiden Wege vertauscht?</translation>
+        <source>The release lies %1 above the press at %2. Are press and release swapped?</source>
+        <translation>Der Rückweg liegt bei %2 um %1 über dem Hinweg. Sind Hin- und Rückweg vertauscht?</translation>
     </message>
     <message>
         <source>The release begins at %1, %2 away from the end of the press at %3.</source>
-        <translation>Der Rückweg beginnt bei %1, %2 entfernt vom Ende des Drückens bei %3.</translation>
+        <translation>Der Rückweg beginnt bei %1, %2 entfernt vom Ende des Hinwegs bei %3.</translation>
     </message>
     <message>
         <source>There is no release curve; the press curve is used instead.</source>
-        <translation>Es gibt keine Loslasskurve; stattdessen gilt die Druckkurve.</translation>
+        <translation>Es gibt keine Rückwegkurve; stattdessen gilt die Hinwegkurve.</translation>
     </message>
     <message>
-        <source>The %1 falls to %2 at %3: the button pulls.</source>
-        <translation>Kurve „%1“ fällt bei %3 auf %2: Der Taster zieht.</translation>
+        <source>The %1 force falls to %2 at %3; a negative force would pull the finger down.</source>
+        <translation>Die Kraft auf dem %1 fällt bei %3 auf %2; eine negative Kraft zöge den Finger nach unten.</translation>
     </message>
     <message>
-        <source>The press begins with a falling force: it cannot be held at its start.</source>
-        <translation>Das Drücken beginnt mit fallender Kraft: Am Anfang lässt es sich nicht halten.</translation>
+        <source>The press begins with a falling force; the button has no stable rest position.</source>
+        <translation>Der Hinweg beginnt mit fallender Kraft; der Taster hat keine stabile Ruhelage.</translation>
     </message>
     <message>
         <source>The tactile point of the %1 at %2 lies inside an earlier jump: it is never felt.</source>
-        <translation>Der Druckpunkt der Kurve „%1“ bei %2 liegt in einem früheren Sprung: Er ist nie zu fühlen.</translation>
+        <translation>Der Druckpunkt auf dem %1 bei %2 liegt in einem früheren Sprung und ist nie zu fühlen.</translation>
     </message>
     <message>
         <source>The reset point at %1 lies deeper than the operating point at %2.</source>
@@ -77,32 +77,32 @@
         <translation>Bei %1 ist Dämpfung angegeben, außerhalb des Wegs bis %2.</translation>
     </message>
     <message>
-        <source>The %1 has %2 knots, more than a hand can edit. Refit it with fewer pieces.</source>
-        <translation>Kurve „%1“ hat %2 Knoten, mehr als sich von Hand bearbeiten lassen. Passen Sie sie mit weniger Stücken neu an.</translation>
+        <source>The %1 curve has %2 knots, too many to edit by hand. Refit it with fewer pieces.</source>
+        <translation>Die Kurve „%1“ hat %2 Knoten, zu viele zum Bearbeiten von Hand. Passen Sie sie mit weniger Stücken neu an.</translation>
     </message>
     <message>
-        <source>The import was only %1 % sure. Hold the curves against the page.</source>
-        <translation>Der Import war nur zu %1 % sicher. Halten Sie die Kurven gegen die Seite.</translation>
+        <source>The confidence of the import is only %1 %. Compare the curves with the page.</source>
+        <translation>Die Sicherheit des Imports beträgt nur %1 %. Vergleichen Sie die Kurven mit der Seite.</translation>
     </message>
     <message>
         <source>Total travel</source>
         <translation>Gesamtweg</translation>
     </message>
     <message>
-        <source>Pretravel</source>
+        <source>Pre-travel</source>
         <translation>Vorlaufweg</translation>
     </message>
     <message>
         <source>Operating force</source>
-        <translation>Schaltkraft</translation>
+        <translation>Betätigungskraft</translation>
     </message>
     <message>
         <source>Tactile force</source>
         <translation>Druckpunktkraft</translation>
     </message>
     <message>
-        <source>End force</source>
-        <translation>Endkraft</translation>
+        <source>Force at the end</source>
+        <translation>Kraft am Ende</translation>
     </message>
     <message>
         <source>State %1: %2</source>
@@ -113,47 +113,19 @@
         <translation> (%1 bis %2)</translation>
     </message>
     <message>
-        <source>%1: the sheet says %2, the graph has %3.</source>
+        <source>%1: the datasheet states %2, the graph has %3.</source>
         <translation>%1: Im Datenblatt steht %2, im Graphen %3.</translation>
     </message>
     <message>
-        <source>At %1 mm/s the release lies %2 above the press at %3 mm/s, at %4: it would give more than it took.</source>
-        <translation>Bei %1 mm/s liegt der Rückweg um %2 über dem Drücken bei %3 mm/s, und zwar bei %4: Das gäbe mehr zurück, als es nahm.</translation>
+        <source>The release at %1 mm/s lies %2 above the press at %3 mm/s, at %4: the button would return more energy than it took up.</source>
+        <translation>Der Rückweg bei %1 mm/s liegt um %2 über dem Hinweg bei %3 mm/s, und zwar bei %4: Der Taster gäbe mehr Energie ab, als er aufnahm.</translation>
     </message>
 </context>
 <context>
     <name>Differences</name>
     <message>
-        <source>displacement</source>
-        <translation>Weg</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>force of the valley after it</source>
-        <translation>Kraft des Tals danach</translation>
-    </message>
-    <message>
-        <source>force of the hump after it</source>
-        <translation>Kraft des Buckels danach</translation>
-    </message>
-    <message>
         <source>snap ratio</source>
         <translation>Schnappverhältnis</translation>
-    </message>
-    <message>
-        <source>length of the jump</source>
-        <translation>Länge des Sprungs</translation>
-    </message>
-    <message>
-        <source>area of the jump</source>
-        <translation>Fläche des Sprungs</translation>
-    </message>
-    <message>
-        <source>tactile point%1, </source>
-        <translation>Druckpunkt%1, </translation>
     </message>
     <message>
         <source>force at the start of the travel</source>
@@ -164,8 +136,8 @@
         <translation>größte Kraft</translation>
     </message>
     <message>
-        <source>first slope</source>
-        <translation>erste Steigung</translation>
+        <source>initial slope</source>
+        <translation>Anfangssteigung</translation>
     </message>
     <message>
         <source>tactile points</source>
@@ -177,15 +149,39 @@
     </message>
     <message>
         <source>Press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>Release</source>
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>%1: mean %2 % of the first one&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
-        <translation>%1: im Mittel %2 % vom Bereich des ersten, höchstens %3 % (bis %4 %5, %6 %7)</translation>
+        <source>%1: mean difference %2 % of the first button&apos;s force range, largest %3 % (up to %4 %5, %6 %7)</source>
+        <translation>%1: mittlere Abweichung %2 % des Kraftbereichs des ersten Tasters, größte %3 % (bis %4 %5, %6 %7)</translation>
+    </message>
+    <message>
+        <source>peak travel</source>
+        <translation>Weg der Spitze</translation>
+    </message>
+    <message>
+        <source>valley travel</source>
+        <translation>Weg des Tals</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>Kraft der Spitze</translation>
+    </message>
+    <message>
+        <source>valley force</source>
+        <translation>Kraft des Tals</translation>
+    </message>
+    <message>
+        <source>jump length</source>
+        <translation>Länge des Sprungs</translation>
+    </message>
+    <message>
+        <source>jump area</source>
+        <translation>Fläche des Sprungs</translation>
     </message>
 </context>
 <context>
@@ -204,11 +200,11 @@
     </message>
     <message>
         <source>person</source>
-        <translation>Mensch</translation>
+        <translation>Person</translation>
     </message>
     <message>
-        <source>REHEARSAL, nothing felt</source>
-        <translation>PROBE, nichts zu fühlen</translation>
+        <source>REHEARSAL, without a device</source>
+        <translation>PROBELAUF, ohne Gerät</translation>
     </message>
     <message>
         <source>SIMULATED</source>
@@ -222,96 +218,96 @@
         <translation>Detent-Paket (JSON)</translation>
     </message>
     <message>
-        <source>Everything: thresholds of force, waves, curve and filters, for a player of your own.</source>
-        <translation>Alles: Kraftschwellen, Wellen, Kurve und Filter, für ein eigenes Abspielprogramm.</translation>
+        <source>Everything: force thresholds, waveforms, curve and filters, for your own player.</source>
+        <translation>Alles: Kraftschwellen, Wellenformen, Kurve und Filter, für ein eigenes Abspielprogramm.</translation>
     </message>
     <message>
         <source>Firmware (C header)</source>
         <translation>Firmware (C-Header)</translation>
     </message>
     <message>
-        <source>Thresholds, waves and curve for a microcontroller. Without the filters, equalizer and limiter.</source>
-        <translation>Schwellen, Wellen und Kurve für einen Mikrocontroller. Ohne Filter, Entzerrer und Begrenzer.</translation>
+        <source>Force thresholds, waveforms and curve for a microcontroller. Without the filters, equalizer and limiter.</source>
+        <translation>Kraftschwellen, Wellenformen und Kurve für einen Mikrocontroller. Ohne Filter, Entzerrer und Begrenzer.</translation>
     </message>
     <message>
         <source>iPhone (AHAP)</source>
         <translation>iPhone (AHAP)</translation>
     </message>
     <message>
-        <source>Two files, press and release, of 80 to 230 Hz. The finger&apos;s force no longer decides.</source>
-        <translation>Zwei Dateien, Drücken und Rückweg, von 80 bis 230 Hz. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>Two files, press and release, 80 to 230 Hz. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>Zwei Dateien, Hinweg und Rückweg, 80 bis 230 Hz. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Meta and Lofelt (.haptic)</source>
         <translation>Meta und Lofelt (.haptic)</translation>
     </message>
     <message>
-        <source>One oscillator of 80 to 230 Hz. The finger&apos;s force no longer decides.</source>
-        <translation>Ein Oszillator von 80 bis 230 Hz. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>One oscillator, 80 to 230 Hz. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>Ein Oszillator, 80 bis 230 Hz. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Android (Kotlin)</source>
         <translation>Android (Kotlin)</translation>
     </message>
     <message>
-        <source>Press and release as envelopes, nothing shorter than 20 ms. The finger&apos;s force no longer decides.</source>
-        <translation>Drücken und Rückweg als Hüllkurven, nichts kürzer als 20 ms. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>Press and release as envelopes, no part shorter than 20 ms. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>Hinweg und Rückweg als Hüllkurven, kein Abschnitt kürzer als 20 ms. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>OpenXR (parametric)</source>
         <translation>OpenXR (parametrisch)</translation>
     </message>
     <message>
-        <source>Structures as JSON and, beside it, as a C header. The finger&apos;s force no longer decides.</source>
-        <translation>Strukturen als JSON und daneben als C-Header. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>Structures as JSON and, beside it, as a C header. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>Strukturen als JSON und daneben als C-Header. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>MPEG haptics (HJIF)</source>
         <translation>MPEG-Haptik (HJIF)</translation>
     </message>
     <message>
-        <source>ISO/IEC 23090-31, the wave as it is. The finger&apos;s force no longer decides.</source>
-        <translation>ISO/IEC 23090-31, die Welle, wie sie ist. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>ISO/IEC 23090-31, with the unchanged waveform. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>ISO/IEC 23090-31, mit unveränderter Wellenform. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Piezo driver BOS1921</source>
         <translation>Piezotreiber BOS1921</translation>
     </message>
     <message>
-        <source>Sines of whole cycles for the driver&apos;s memory. The finger&apos;s force no longer decides.</source>
-        <translation>Sinuswellen ganzer Perioden für den Speicher des Treibers. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>Whole sine cycles for the driver&apos;s memory. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>Ganze Sinusperioden für den Speicher des Treibers. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Motor driver DA7280, DA7282</source>
         <translation>Motortreiber DA7280, DA7282</translation>
     </message>
     <message>
-        <source>100 bytes of waveform memory; the motor plays its own frequency.</source>
-        <translation>100 Byte Wellenspeicher; der Motor spielt seine eigene Frequenz.</translation>
+        <source>100 bytes of waveform memory; the motor vibrates at its own frequency.</source>
+        <translation>100 Byte Wellenformspeicher; der Motor vibriert mit seiner eigenen Frequenz.</translation>
     </message>
     <message>
         <source>Motor driver DRV2605</source>
         <translation>Motortreiber DRV2605</translation>
     </message>
     <message>
-        <source>One amplitude every 5 ms; the motor plays its own frequency.</source>
-        <translation>Alle 5 ms eine Amplitude; der Motor spielt seine eigene Frequenz.</translation>
+        <source>One amplitude every 5 ms; the motor vibrates at its own frequency.</source>
+        <translation>Alle 5 ms eine Amplitude; der Motor vibriert mit seiner eigenen Frequenz.</translation>
     </message>
     <message>
         <source>Samples (C array)</source>
         <translation>Abtastwerte (C-Array)</translation>
     </message>
     <message>
-        <source>The wave as numbers. The finger&apos;s force no longer decides.</source>
-        <translation>Die Welle als Zahlen. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <source>The waveform as numbers. Plays over time; the finger&apos;s force has no effect.</source>
+        <translation>Die Wellenform als Zahlen. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Haptic touchpad</source>
         <translation>Haptisches Touchpad</translation>
     </message>
     <message>
-        <source>Threshold of 110 to 190 g and intensity; the pad plays its own waves.</source>
-        <translation>Schwelle von 110 bis 190 g und Stärke; das Pad spielt eigene Wellen.</translation>
+        <source>Force threshold of 110 to 190 g, and intensity; the touchpad plays its own waveforms.</source>
+        <translation>Kraftschwelle von 110 bis 190 g und Stärke; das Touchpad spielt eigene Wellenformen.</translation>
     </message>
 </context>
 <context>
@@ -328,8 +324,8 @@
 <context>
     <name>InputKinds</name>
     <message>
-        <source>is not there</source>
-        <translation>ist nicht vorhanden</translation>
+        <source>was not found</source>
+        <translation>wurde nicht gefunden</translation>
     </message>
     <message>
         <source>Check the name; it may have been moved or renamed</source>
@@ -352,8 +348,8 @@
         <translation>Prüfen Sie die Zugriffsrechte</translation>
     </message>
     <message>
-        <source>Everything Detent reads</source>
-        <translation>Alles, was Detent liest</translation>
+        <source>All supported files</source>
+        <translation>Alle unterstützten Dateien</translation>
     </message>
     <message>
         <source>Buttons</source>
@@ -373,7 +369,7 @@
     </message>
     <message>
         <source>Datasheets, pictures and force meters&apos; logs</source>
-        <translation>Datenblätter, Bilder und Protokolle von Kraftmessern</translation>
+        <translation>Datenblätter, Bilder und Protokolle von Kraftmessgeräten</translation>
     </message>
 </context>
 <context>
@@ -387,20 +383,20 @@
         <translation>%1 ± %2 %3</translation>
     </message>
     <message>
-        <source>%1 records of %2 units, which differ by: %3.</source>
-        <translation>%1 Messungen von %2 Exemplaren, die sich unterscheiden um: %3.</translation>
+        <source>%1 records of %2 units. Spread: %3.</source>
+        <translation>%1 Messungen von %2 Exemplaren. Streuung: %3.</translation>
     </message>
     <message>
-        <source>%1 records of one unit, which differ by: %2.</source>
-        <translation>%1 Messungen eines Exemplars, die sich unterscheiden um: %2.</translation>
+        <source>%1 records of one unit. Spread: %2.</source>
+        <translation>%1 Messungen eines Exemplars. Streuung: %2.</translation>
     </message>
     <message>
         <source>Rated by %1 (licence: %2).</source>
         <translation>Bewertet von %1 (Lizenz: %2).</translation>
     </message>
     <message>
-        <source>Forces of this kind of file may lie well off other laboratories&apos;.</source>
-        <translation>Kräfte dieser Art von Datei können weit neben denen anderer Labore liegen.</translation>
+        <source>Forces in this kind of file may differ greatly from those of other laboratories.</source>
+        <translation>Kräfte in dieser Art von Datei können stark von denen anderer Labore abweichen.</translation>
     </message>
     <message>
         <source>%1
@@ -423,7 +419,7 @@ Lizenz: %3</translation>
         <translation>linear</translation>
     </message>
     <message>
-        <source>between</source>
+        <source>intermediate</source>
         <translation>dazwischen</translation>
     </message>
     <message>
@@ -451,7 +447,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Press at %1: </source>
-        <translation>Drücken bei %1: </translation>
+        <translation>Hinweg bei %1: </translation>
     </message>
     <message>
         <source>Release at %1: </source>
@@ -465,8 +461,8 @@ Lizenz: %3</translation>
 <context>
     <name>PlacementDelay</name>
     <message>
-        <source>%1 ms, scattered over %2 ms (%3 frames at 48 kHz)</source>
-        <translation>%1 ms, gestreut über %2 ms (%3 Frames bei 48 kHz)</translation>
+        <source>%1 ms, spread %2 ms (%3 sample frames at 48 kHz)</source>
+        <translation>%1 ms, Streuung %2 ms (%3 Abtastwerte bei 48 kHz)</translation>
     </message>
 </context>
 <context>
@@ -488,8 +484,8 @@ Lizenz: %3</translation>
         <translation>, bitte prüfen</translation>
     </message>
     <message>
-        <source>framed by hand</source>
-        <translation>von Hand gerahmt</translation>
+        <source>plot frame drawn by hand</source>
+        <translation>Rahmen von Hand gezeichnet</translation>
     </message>
     <message>
         <source>%1–%2 %3</source>
@@ -587,7 +583,7 @@ Lizenz: %3</translation>
         <translation>Zweistufig</translation>
     </message>
     <message>
-        <source>Two tactile points, the second stronger, as of a camera shutter</source>
+        <source>Two tactile points, the second stronger, as on a camera&apos;s shutter button</source>
         <translation>Zwei Druckpunkte, der zweite stärker, wie beim Auslöser einer Kamera</translation>
     </message>
     <message>
@@ -595,8 +591,8 @@ Lizenz: %3</translation>
         <translation>Rastend</translation>
     </message>
     <message>
-        <source>Stays down at one press and comes back at the next; two states</source>
-        <translation>Bleibt nach einem Druck unten und kommt beim nächsten zurück; zwei Zustände</translation>
+        <source>One press locks it down, the next press releases it; two states</source>
+        <translation>Ein Druck rastet ihn ein, der nächste löst ihn; zwei Zustände</translation>
     </message>
 </context>
 <context>
@@ -627,7 +623,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>damping %1 N·s/mm is not finite and &gt;= 0</source>
-        <translation>die Dämpfung %1 N·s/mm ist nicht endlich und &gt;= 0</translation>
+        <translation>die Dämpfung %1 N·s/mm ist keine endliche Zahl &gt;= 0</translation>
     </message>
     <message>
         <source>Give 0 where there is no damping</source>
@@ -699,7 +695,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>release curve</source>
-        <translation>Kurve des Rückwegs</translation>
+        <translation>Rückwegkurve</translation>
     </message>
     <message>
         <source>does not exist</source>
@@ -707,7 +703,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Mirror the press curve first</source>
-        <translation>Spiegeln Sie zuerst die Kurve des Drückens</translation>
+        <translation>Spiegeln Sie zuerst die Hinwegkurve</translation>
     </message>
     <message>
         <source>hysteresis</source>
@@ -751,7 +747,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>cannot move to %1, past its neighbour at %2</source>
-        <translation>kann nicht nach %1, an seinem Nachbarn bei %2 vorbei</translation>
+        <translation>lässt sich nicht nach %1 verschieben, über den Nachbarn bei %2 hinaus</translation>
     </message>
     <message>
         <source>Keep it between its neighbours, or remove the neighbour first</source>
@@ -759,7 +755,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>has no place for a knot at %1, outside %2 to %3</source>
-        <translation>hat keinen Platz für einen Knoten bei %1, außerhalb von %2 bis %3</translation>
+        <translation>kann bei %1 keinen Knoten haben, außerhalb von %2 bis %3</translation>
     </message>
     <message>
         <source>Choose a displacement inside the curve</source>
@@ -799,7 +795,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>has no stretch from %1 to %2</source>
-        <translation>hat kein Stück von %1 bis %2</translation>
+        <translation>hat keinen Teil von %1 bis %2</translation>
     </message>
     <message>
         <source>Choose two places on the curve, the first one before the second</source>
@@ -815,7 +811,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>cannot move to %1, outside its flanks from %2 to %3</source>
-        <translation>kann nicht nach %1, außerhalb seiner Flanken von %2 bis %3</translation>
+        <translation>lässt sich nicht nach %1 verschieben, außerhalb seiner Flanken von %2 bis %3</translation>
     </message>
     <message>
         <source>Keep it between the neighbouring extrema</source>
@@ -863,7 +859,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>from %1 to %2 leaves the curve, %3 to %4</source>
-        <translation>von %1 bis %2 verlässt die Kurve, %3 bis %4</translation>
+        <translation>von %1 bis %2 reicht über die Kurve hinaus, %3 bis %4</translation>
     </message>
     <message>
         <source>Make it narrower or move it inward</source>
@@ -887,7 +883,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Choose a valley or a hump</source>
-        <translation>Wählen Sie ein Tal oder einen Buckel</translation>
+        <translation>Wählen Sie ein Tal oder eine Spitze</translation>
     </message>
     <message>
         <source>cannot have a snap ratio of %1</source>
@@ -931,7 +927,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>would not come back: the curve has %1 at its end, its valley %2</source>
-        <translation>käme nicht zurück: Die Kurve hat an ihrem Ende %1, sein Tal %2</translation>
+        <translation>kehrte nicht zur Kurve zurück: Am Ende des Sprungs hat die Kurve %1, das Tal %2</translation>
     </message>
     <message>
         <source>Make the drop larger or the jump narrower</source>
@@ -947,7 +943,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>press rows, point %1</source>
-        <translation>Zeilen des Drückens, Punkt %1</translation>
+        <translation>Zeilen des Hinwegs, Punkt %1</translation>
     </message>
     <message>
         <source>release rows</source>
@@ -955,7 +951,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>press rows</source>
-        <translation>Zeilen des Drückens</translation>
+        <translation>Zeilen des Hinwegs</translation>
     </message>
     <message>
         <source>force reaches %1, beyond the limit of ±%2</source>
@@ -975,7 +971,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>covers %1 to %2, beside the press curve&apos;s %3 to %4</source>
-        <translation>reicht von %1 bis %2, neben dem Drücken von %3 bis %4</translation>
+        <translation>reicht von %1 bis %2 und überschneidet sich nicht mit der Hinwegkurve, %3 bis %4</translation>
     </message>
     <message>
         <source>Bring both strokes to the same displacement axis</source>
@@ -1095,7 +1091,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Operating force</source>
-        <translation>Schaltkraft</translation>
+        <translation>Betätigungskraft</translation>
     </message>
     <message>
         <source>Peak force</source>
@@ -1167,7 +1163,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Work of a press</source>
-        <translation>Arbeit eines Drucks</translation>
+        <translation>Betätigungsarbeit</translation>
     </message>
     <message>
         <source>Hysteresis</source>
@@ -1175,7 +1171,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>%1 cannot be without bounds</source>
-        <translation>%1 kann nicht ohne Grenzen sein</translation>
+        <translation>%1 muss eine endliche Zahl sein</translation>
     </message>
     <message>
         <source>Give a number</source>
@@ -1191,7 +1187,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>a stretch of the curve would have no width left</source>
-        <translation>hätte ein Stück der Kurve keine Breite mehr</translation>
+        <translation>hätte ein Teil der Kurve keine Breite mehr</translation>
     </message>
     <message>
         <source>a rise of the force would become a fall, or a fall a rise</source>
@@ -1199,7 +1195,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the button would pull</source>
-        <translation>würde der Taster ziehen</translation>
+        <translation>würde die Kraft negativ</translation>
     </message>
     <message>
         <source>another tactile point would become the main one</source>
@@ -1215,7 +1211,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the release would lie above the press</source>
-        <translation>läge der Rückweg über dem Drücken</translation>
+        <translation>läge der Rückweg über dem Hinweg</translation>
     </message>
     <message>
         <source>a tactile point would be too weak to be one</source>
@@ -1227,7 +1223,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the release would not begin where the press ends</source>
-        <translation>begänne der Rückweg nicht, wo das Drücken endet</translation>
+        <translation>begänne der Rückweg nicht, wo der Hinweg endet</translation>
     </message>
     <message>
         <source>the release would not end where the next state starts</source>
@@ -1239,7 +1235,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the press would begin with a falling force</source>
-        <translation>begänne das Drücken mit fallender Kraft</translation>
+        <translation>begänne der Hinweg mit fallender Kraft</translation>
     </message>
     <message>
         <source>damping would lie outside the travel</source>
@@ -1247,11 +1243,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>no curve was found that has all of this, nor which of it contradicts: %1</source>
-        <translation>es fand sich weder eine Kurve, die all das hat, noch, was davon einander widerspricht: %1</translation>
+        <translation>keine Kurve erfüllt alle diese Vorgaben, und welche einander widersprechen, ließ sich nicht feststellen: %1</translation>
     </message>
     <message>
         <source>Leave some of it free, or give values nearer to the present ones</source>
-        <translation>Einiges davon frei lassen oder Werte näher an den jetzigen angeben</translation>
+        <translation>Lassen Sie einige Werte frei, oder geben Sie Werte näher an den jetzigen an</translation>
     </message>
     <message>
         <source>%1 and %2 contradict each other</source>
@@ -1275,7 +1271,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Add what it measures to the curve first</source>
-        <translation>Zuerst der Kurve geben, was sie misst</translation>
+        <translation>Ergänzen Sie zuerst an der Kurve das Merkmal, das diese Kennzahl misst</translation>
     </message>
     <message>
         <source>it is %1</source>
@@ -1283,7 +1279,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>release</source>
@@ -1291,19 +1287,19 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>would end at another place than the other strokes</source>
-        <translation>würde an anderer Stelle enden als die übrigen Hübe</translation>
+        <translation>würde bei einem anderen Weg enden als die übrigen Hübe</translation>
     </message>
     <message>
         <source>Move one end alone, or loosen the link</source>
-        <translation>Bewegen Sie nur ein Ende, oder lösen Sie die Verknüpfung</translation>
+        <translation>Bewegen Sie nur ein Ende, oder heben Sie die Verknüpfung auf</translation>
     </message>
     <message>
         <source>would leave its pinned point at %1</source>
-        <translation>würde den angehefteten Punkt bei %1 verlassen</translation>
+        <translation>würde den gesperrten Punkt bei %1 verlassen</translation>
     </message>
     <message>
         <source>Take the pin out, or move something else</source>
-        <translation>Lösen Sie die Nadel, oder bewegen Sie etwas anderes</translation>
+        <translation>Entsperren Sie den Punkt, oder bewegen Sie einen anderen</translation>
     </message>
     <message>
         <source>stroke curve</source>
@@ -1319,11 +1315,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>self-locking button</source>
-        <translation>einrastender Taster</translation>
+        <translation>rastender Taster</translation>
     </message>
     <message>
         <source>links</source>
-        <translation>Zusammengehaltenes</translation>
+        <translation>Verknüpfungen</translation>
     </message>
     <message>
         <source>units</source>
@@ -1379,11 +1375,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>press trace</source>
-        <translation>Verlauf eines Drucks</translation>
+        <translation>Betätigungsverlauf</translation>
     </message>
     <message>
         <source>standard press</source>
-        <translation>Normdruck</translation>
+        <translation>Standardbetätigung</translation>
     </message>
     <message>
         <source>device profile</source>
@@ -1427,11 +1423,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Pass one per button, 0 or more, not all 0</source>
-        <translation>Für jeden Taster eines angeben, 0 oder mehr, nicht alle 0</translation>
+        <translation>Für jeden Taster ein Gewicht angeben, 0 oder mehr, nicht alle 0</translation>
     </message>
     <message>
         <source>some are momentary and some self-locking</source>
-        <translation>manche tasten nur, andere rasten ein</translation>
+        <translation>einige sind tastend, andere rastend</translation>
     </message>
     <message>
         <source>Pass buttons of one kind</source>
@@ -1439,7 +1435,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Pass 0 to 1</source>
-        <translation>0 bis 1 angeben</translation>
+        <translation>Einen Wert von 0 bis 1 angeben</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
@@ -1495,11 +1491,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>has a release, which that at %1 lacks</source>
-        <translation>hat einen Rückweg, der bei %1 nicht</translation>
+        <translation>hat einen Rückweg, der Graph bei %1 aber keinen</translation>
     </message>
     <message>
         <source>lacks a release, which that at %1 has</source>
-        <translation>hat keinen Rückweg, der bei %1 schon</translation>
+        <translation>hat keinen Rückweg, der Graph bei %1 aber einen</translation>
     </message>
     <message>
         <source>Give all speeds a release, or none</source>
@@ -1507,7 +1503,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the %1 has an end at %2, that at %3 at %4: more than %5 apart</source>
-        <translation>ein Ende (%1) liegt bei %2, das bei %3 bei %4: mehr als %5 auseinander</translation>
+        <translation>ein Ende (%1) liegt bei %2, beim Graphen für %3 bei %4: mehr als %5 auseinander</translation>
     </message>
     <message>
         <source>Give graphs of one button, with the same travel</source>
@@ -1515,11 +1511,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>is at %1, %2 at %3</source>
-        <translation>ist bei %1, %2 bei %3</translation>
+        <translation>hat den eigenen Graphen bei %1, %2 dagegen bei %3</translation>
     </message>
     <message>
         <source>Let the own graph of every state be the one of the same speed</source>
-        <translation>Den eigenen Graphen jedes Zustands bei derselben Geschwindigkeit wählen</translation>
+        <translation>Für den eigenen Graphen jedes Zustands dieselbe Geschwindigkeit wählen</translation>
     </message>
     <message>
         <source>has graphs at other speeds than %1</source>
@@ -1535,7 +1531,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Compare graphs that both have a press or a release curve</source>
-        <translation>Graphen vergleichen, die beide eine Kurve des Drückens oder beide eine des Rückwegs haben</translation>
+        <translation>Graphen vergleichen, die beide eine Hinwegkurve oder beide eine Rückwegkurve haben</translation>
     </message>
     <message>
         <source>is not a finite number</source>
@@ -1571,7 +1567,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>a release would lie above the press of another speed</source>
-        <translation>läge ein Rückweg über dem Drücken einer anderen Geschwindigkeit</translation>
+        <translation>läge ein Rückweg über dem Hinweg einer anderen Geschwindigkeit</translation>
     </message>
     <message>
         <source>lock position</source>
@@ -1595,7 +1591,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>no displacement is in the travel of all</source>
-        <translation>kein Weg liegt im Hub aller</translation>
+        <translation>die Exemplare haben keinen gemeinsamen Weg</translation>
     </message>
     <message>
         <source>Pass units of one button</source>
@@ -1643,7 +1639,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>encoder step in mm</source>
-        <translation>Schritt des Weggebers in mm</translation>
+        <translation>Encoderschritt in mm</translation>
     </message>
     <message>
         <source>delay of the device in s</source>
@@ -1651,7 +1647,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>motor lag of the device in s</source>
-        <translation>Trägheit des Motors in s</translation>
+        <translation>Verzögerung des Motors in s</translation>
     </message>
     <message>
         <source>steepest slope in N/mm</source>
@@ -1699,7 +1695,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>grain-strength</source>
-        <translation>Stärke der Körner</translation>
+        <translation>Stärke der Grains</translation>
     </message>
     <message>
         <source>quiet</source>
@@ -1707,7 +1703,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>masked</source>
-        <translation>verdeckt</translation>
+        <translation>maskiert</translation>
     </message>
     <message>
         <source>%1 lies outside the travel</source>
@@ -1772,7 +1768,7 @@ Lizenz: %3</translation>
     <name>detent::ForceGraph</name>
     <message>
         <source>press curve</source>
-        <translation>Kurve des Drückens</translation>
+        <translation>Hinwegkurve</translation>
     </message>
     <message>
         <source>starts at %1, before 0</source>
@@ -1875,23 +1871,23 @@ Lizenz: %3</translation>
     <name>detent::editor</name>
     <message>
         <source>Tactile point %1 of the press</source>
-        <translation>Druckpunkt %1 des Drückens</translation>
+        <translation>Druckpunkt %1 des Hinwegs</translation>
     </message>
     <message>
         <source>Tactile point %1 of the release</source>
         <translation>Druckpunkt %1 des Rückwegs</translation>
     </message>
     <message>
-        <source>Turn %1 of the press</source>
-        <translation>Umkehrpunkt %1 des Drückens</translation>
+        <source>Valley or peak %1 of the press</source>
+        <translation>Tal oder Spitze %1 des Hinwegs</translation>
     </message>
     <message>
-        <source>Turn %1 of the release</source>
-        <translation>Umkehrpunkt %1 des Rückwegs</translation>
+        <source>Valley or peak %1 of the release</source>
+        <translation>Tal oder Spitze %1 des Rückwegs</translation>
     </message>
     <message>
         <source>Knot %1 of the press</source>
-        <translation>Knoten %1 des Drückens</translation>
+        <translation>Knoten %1 des Hinwegs</translation>
     </message>
     <message>
         <source>Knot %1 of the release</source>
@@ -1899,7 +1895,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Slope before knot %1 of the press</source>
-        <translation>Steigung vor Knoten %1 des Drückens</translation>
+        <translation>Steigung vor Knoten %1 des Hinwegs</translation>
     </message>
     <message>
         <source>Slope before knot %1 of the release</source>
@@ -1907,7 +1903,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Slope after knot %1 of the press</source>
-        <translation>Steigung nach Knoten %1 des Drückens</translation>
+        <translation>Steigung nach Knoten %1 des Hinwegs</translation>
     </message>
     <message>
         <source>Slope after knot %1 of the release</source>
@@ -1915,7 +1911,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Section %1 of the press</source>
-        <translation>Abschnitt %1 des Drückens</translation>
+        <translation>Abschnitt %1 des Hinwegs</translation>
     </message>
     <message>
         <source>Section %1 of the release</source>
@@ -1955,7 +1951,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>release</source>
@@ -1974,16 +1970,16 @@ Lizenz: %3</translation>
         <translation>von %1 bis %2</translation>
     </message>
     <message>
-        <source>with its damping</source>
-        <translation>mit seiner Dämpfung</translation>
+        <source>(limited by its damping)</source>
+        <translation>(begrenzt durch seine Dämpfung)</translation>
     </message>
     <message>
-        <source>with its friction and encoder steps</source>
-        <translation>mit seiner Reibung und seinen Encoderschritten</translation>
+        <source>(limited by its friction and encoder steps)</source>
+        <translation>(begrenzt durch seine Reibung und seine Encoderschritte)</translation>
     </message>
     <message>
-        <source>at all</source>
-        <translation>überhaupt</translation>
+        <source>(limit of the device)</source>
+        <translation>(Grenze des Geräts)</translation>
     </message>
     <message>
         <source>the falling jump %1 has %2</source>
@@ -1994,44 +1990,44 @@ Lizenz: %3</translation>
         <translation>der Anstieg %1 hat %2</translation>
     </message>
     <message>
-        <source>; the device bears %1 %2</source>
-        <translation>; das Gerät trägt %1 %2</translation>
+        <source>; the device can stably render at most %1 %2</source>
+        <translation>; das Gerät kann höchstens %1 stabil darstellen %2</translation>
     </message>
     <message>
-        <source>Stable: the device bears every slope. The steepest leaves %1.</source>
-        <translation>Stabil: Das Gerät trägt jede Steigung. Die steilste lässt %1.</translation>
+        <source>Stable: the device can render every slope. Margin at the most critical one: %1.</source>
+        <translation>Stabil: Das Gerät kann jede Steigung darstellen. Reserve bei der kritischsten: %1.</translation>
     </message>
     <message>
-        <source>In one place the button is steeper than the device bears.</source>
-        <translation>An einer Stelle ist der Taster steiler, als das Gerät trägt.</translation>
+        <source>At one place the button is steeper than the device can stably render.</source>
+        <translation>An einer Stelle ist der Taster steiler, als das Gerät stabil darstellen kann.</translation>
     </message>
     <message>
-        <source>In %1 places the button is steeper than the device bears. The worst:</source>
-        <translation>An %1 Stellen ist der Taster steiler, als das Gerät trägt. Die schlimmste:</translation>
+        <source>At %1 places the button is steeper than the device can stably render. The worst:</source>
+        <translation>An %1 Stellen ist der Taster steiler, als das Gerät stabil darstellen kann. Die ungünstigste:</translation>
     </message>
     <message>
-        <source>the rise of %1 at %2 is felt as %3</source>
-        <translation>der Anstieg von %1 bei %2 fühlt sich wie %3 an</translation>
+        <source>the rise of %1 at %2 is rendered as %3</source>
+        <translation>der Anstieg von %1 bei %2 wird als %3 dargestellt</translation>
     </message>
     <message>
-        <source>the fall of %1 at %2 is felt as %3</source>
-        <translation>der Abfall von %1 bei %2 fühlt sich wie %3 an</translation>
+        <source>the fall of %1 at %2 is rendered as %3</source>
+        <translation>der Abfall von %1 bei %2 wird als %3 dargestellt</translation>
     </message>
     <message>
-        <source>%1 is more than the device can give; %2 is felt</source>
-        <translation>%1 ist mehr, als das Gerät geben kann; gefühlt wird %2</translation>
+        <source>%1 exceeds the force of the device; %2 is rendered</source>
+        <translation>%1 übersteigt die Kraft des Geräts; dargestellt wird %2</translation>
     </message>
     <message>
-        <source>the release lies up to %1 above the press at %2, which would make energy; both are felt as the release there</source>
-        <translation>der Rückweg liegt bei %2 um bis zu %1 über dem Drücken, was Energie erzeugen würde; beide fühlen sich dort wie der Rückweg an</translation>
+        <source>the release lies up to %1 above the press at %2, which would generate energy; there, both are rendered as the release</source>
+        <translation>der Rückweg liegt bei %2 um bis zu %1 über dem Hinweg, was Energie erzeugen würde; beide werden dort wie der Rückweg dargestellt</translation>
     </message>
     <message>
-        <source>the damping of %1 at %2 is felt as %3</source>
-        <translation>die Dämpfung von %1 bei %2 fühlt sich wie %3 an</translation>
+        <source>the damping of %1 at %2 is rendered as %3</source>
+        <translation>die Dämpfung von %1 bei %2 wird als %3 dargestellt</translation>
     </message>
     <message>
-        <source>from press to release would take %1 on this device; it is cut to %2 and may be unsteady</source>
-        <translation>vom Drücken zum Rückweg bräuchte es auf diesem Gerät %1; es wird auf %2 gekürzt und ist vielleicht unruhig</translation>
+        <source>the change from press to release would need %1 of travel on this device; it is limited to %2 and may be unstable</source>
+        <translation>der Übergang vom Hinweg zum Rückweg bräuchte auf diesem Gerät %1 Weg; er ist auf %2 begrenzt und kann instabil sein</translation>
     </message>
     <message>
         <source>forces changed by up to %1, %2</source>
@@ -2070,16 +2066,16 @@ Lizenz: %3</translation>
         <translation>Rahmen zeichnen</translation>
     </message>
     <message>
-        <source>give the displacement axis the values at its two ends</source>
-        <translation>der Wegachse die Werte an ihren beiden Enden geben</translation>
+        <source>enter the values at both ends of the displacement axis</source>
+        <translation>die Werte an beiden Enden der Wegachse eingeben</translation>
     </message>
     <message>
         <source>Set axis values</source>
         <translation>Achsenwerte setzen</translation>
     </message>
     <message>
-        <source>give the force axis the values at its two ends</source>
-        <translation>der Kraftachse die Werte an ihren beiden Enden geben</translation>
+        <source>enter the values at both ends of the force axis</source>
+        <translation>die Werte an beiden Enden der Kraftachse eingeben</translation>
     </message>
     <message>
         <source>choose the unit of the displacement axis</source>
@@ -2099,19 +2095,19 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>click the press curve with the pipette</source>
-        <translation>mit der Pipette die Kurve des Drückens anklicken</translation>
+        <translation>mit der Pipette die Hinwegkurve anklicken</translation>
     </message>
     <message>
         <source>Pick press curve</source>
-        <translation>Kurve des Drückens wählen</translation>
+        <translation>Hinwegkurve wählen</translation>
     </message>
     <message>
         <source>click the release curve with the pipette</source>
-        <translation>mit der Pipette die Kurve des Rückwegs anklicken</translation>
+        <translation>mit der Pipette die Rückwegkurve anklicken</translation>
     </message>
     <message>
         <source>Pick release curve</source>
-        <translation>Kurve des Rückwegs wählen</translation>
+        <translation>Rückwegkurve wählen</translation>
     </message>
     <message>
         <source>paint a mask over what is not part of a curve</source>
@@ -2130,12 +2126,12 @@ Lizenz: %3</translation>
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>exchange press and release</source>
-        <translation>Drücken und Rückweg vertauschen</translation>
+        <source>swap press and release</source>
+        <translation>Hinweg und Rückweg vertauschen</translation>
     </message>
     <message>
-        <source>Exchange strokes</source>
-        <translation>Kurven vertauschen</translation>
+        <source>Swap press and release</source>
+        <translation>Hinweg und Rückweg vertauschen</translation>
     </message>
     <message>
         <source>, or </source>
@@ -2155,7 +2151,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Press and release</source>
-        <translation>Drücken und Rückweg</translation>
+        <translation>Hinweg und Rückweg</translation>
     </message>
     <message>
         <source>Plot frame</source>
@@ -2166,7 +2162,7 @@ Lizenz: %3</translation>
         <translation>Einlesen</translation>
     </message>
     <message>
-        <source>finding the frame</source>
+        <source>finding the plot frame</source>
         <translation>Rahmen suchen</translation>
     </message>
     <message>
@@ -2218,8 +2214,8 @@ Lizenz: %3</translation>
         <translation>Die Kurven werden abgelesen …</translation>
     </message>
     <message>
-        <source>Telling press from release …</source>
-        <translation>Drücken und Rückweg werden unterschieden …</translation>
+        <source>Identifying press and release …</source>
+        <translation>Hinweg und Rückweg werden unterschieden …</translation>
     </message>
     <message>
         <source>Refining the axes …</source>
@@ -2250,12 +2246,12 @@ Lizenz: %3</translation>
         <translation>Genau</translation>
     </message>
     <message>
-        <source>%1 – least work, error %2 % of the axis</source>
-        <translation>%1 – wenigste Arbeit, Fehler %2 % der Achse</translation>
+        <source>%1 – fastest, error %2 % of the axis</source>
+        <translation>%1 – am schnellsten, Fehler %2 % der Achse</translation>
     </message>
     <message>
-        <source>%1 – %2 × the work of a draft, error %3 % of the axis</source>
-        <translation>%1 – %2 × die Arbeit eines Entwurfs, Fehler %3 % der Achse</translation>
+        <source>%1 – %2 × the computing time of a draft, error %3 % of the axis</source>
+        <translation>%1 – %2 × die Rechenzeit eines Entwurfs, Fehler %3 % der Achse</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -2270,8 +2266,8 @@ Lizenz: %3</translation>
         <translation>Sprung hinzufügen</translation>
     </message>
     <message>
-        <source>From a new tactile point the force falls into a valley and comes back to the curve; on the release stroke it rises to a hump.</source>
-        <translation>Von einem neuen Druckpunkt fällt die Kraft in ein Tal und kommt zur Kurve zurück; auf dem Rückweg steigt sie zu einem Buckel.</translation>
+        <source>From a new tactile point the force falls into a valley and returns to the curve; on the release stroke it rises to a peak.</source>
+        <translation>Von einem neuen Druckpunkt fällt die Kraft in ein Tal und kehrt zur Kurve zurück; auf dem Rückweg steigt sie zu einer Spitze.</translation>
     </message>
     <message>
         <source>At</source>
@@ -2319,11 +2315,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Mirror press to release</source>
-        <translation>Drücken zum Rückweg spiegeln</translation>
+        <translation>Hinweg zum Rückweg spiegeln</translation>
     </message>
     <message>
-        <source>The release becomes the press curve, lowered by the hysteresis. Where the press is weaker than twice that, the distance shrinks with it.</source>
-        <translation>Der Rückweg wird zur Kurve des Drückens, um die Hysterese gesenkt. Wo das Drücken schwächer ist als das Doppelte davon, schrumpft der Abstand mit.</translation>
+        <source>The release becomes the press curve, lowered by the hysteresis. Where the press force is less than twice the hysteresis, the distance is reduced in proportion.</source>
+        <translation>Der Rückweg wird zur Hinwegkurve, um die Hysterese gesenkt. Wo die Kraft des Hinwegs kleiner ist als die doppelte Hysterese, verringert sich der Abstand entsprechend.</translation>
     </message>
     <message>
         <source>Hysteresis</source>
@@ -2331,7 +2327,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>How far the release lies below the press</source>
-        <translation>Wie weit der Rückweg unter dem Drücken liegt</translation>
+        <translation>Wie weit der Rückweg unter dem Hinweg liegt</translation>
     </message>
     <message>
         <source>Remove release curve</source>
@@ -2395,7 +2391,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Pieces of the press</source>
-        <translation>Stücke des Drückens</translation>
+        <translation>Stücke des Hinwegs</translation>
     </message>
     <message>
         <source>More follow the points closer, fewer are easier to shape</source>
@@ -2411,7 +2407,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Where the contact closes on the press stroke, and where it opens on the release stroke.</source>
-        <translation>Wo der Kontakt beim Drücken schließt und wo er auf dem Rückweg öffnet.</translation>
+        <translation>Wo der Kontakt auf dem Hinweg schließt und wo er auf dem Rückweg öffnet.</translation>
     </message>
     <message>
         <source>Closes at</source>
@@ -2419,7 +2415,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Displacement on the press stroke</source>
-        <translation>Weg beim Drücken</translation>
+        <translation>Weg auf dem Hinweg</translation>
     </message>
     <message>
         <source>Opens at</source>
@@ -2466,7 +2462,7 @@ Lizenz: %3</translation>
         <translation>Zweistufiger Taster</translation>
     </message>
     <message>
-        <source>Replaces the curves of this state by a button with two tactile points, the second one stronger, like a camera shutter.</source>
+        <source>Replaces the curves of this state by a button with two tactile points, the second one stronger, as on a camera&apos;s shutter button.</source>
         <translation>Ersetzt die Kurven dieses Zustands durch einen Taster mit zwei Druckpunkten, der zweite stärker, wie der Auslöser einer Kamera.</translation>
     </message>
     <message>
@@ -2474,8 +2470,8 @@ Lizenz: %3</translation>
         <translation>Rastender Taster</translation>
     </message>
     <message>
-        <source>Replaces the button by one with two states: pressed once it stays down at the lock, pressed again it comes back.</source>
-        <translation>Ersetzt den Taster durch einen mit zwei Zuständen: Einmal gedrückt, rastet er unten ein; noch einmal gedrückt, kommt er zurück.</translation>
+        <source>Replaces the button by one with two states: one press locks it down, the next press releases it.</source>
+        <translation>Ersetzt den Taster durch einen mit zwei Zuständen: Einmal gedrückt, rastet er unten ein; noch einmal gedrückt, löst er sich.</translation>
     </message>
     <message>
         <source>Lock at</source>
@@ -2498,15 +2494,15 @@ Lizenz: %3</translation>
         <translation>Zustand entfernen</translation>
     </message>
     <message>
-        <source>This state goes; the button becomes momentary with the other one.</source>
-        <translation>Dieser Zustand fällt weg; der Taster wird mit dem anderen tastend.</translation>
+        <source>This state is removed; the button becomes momentary with the remaining one.</source>
+        <translation>Dieser Zustand wird entfernt; der Taster wird mit dem verbleibenden tastend.</translation>
     </message>
     <message>
-        <source>Nothing is typed. Type for example %1.</source>
-        <translation>Es ist nichts eingegeben. Geben Sie zum Beispiel %1 ein.</translation>
+        <source>The field is empty. Type for example %1.</source>
+        <translation>Das Feld ist leer. Geben Sie zum Beispiel %1 ein.</translation>
     </message>
     <message>
-        <source>“%1” is no number. Type for example %2, or +5, or -10 %.</source>
+        <source>“%1” is not a number. Type for example %2, or +5, or -10 %.</source>
         <translation>„%1“ ist keine Zahl. Geben Sie zum Beispiel %2 ein, oder +5, oder -10 %.</translation>
     </message>
     <message>
@@ -2514,11 +2510,11 @@ Lizenz: %3</translation>
         <translation>„%1“ lässt sich auf zwei Weisen lesen. Geben Sie die Zahl ohne Leerzeichen und ohne Tausendertrennzeichen ein.</translation>
     </message>
     <message>
-        <source>“%1” is no unit for this. Type the number alone.</source>
-        <translation>„%1“ ist hierfür keine Einheit. Geben Sie die Zahl allein ein.</translation>
+        <source>“%1” is not a unit for this value. Type the number alone.</source>
+        <translation>„%1“ ist keine Einheit für diesen Wert. Geben Sie die Zahl allein ein.</translation>
     </message>
     <message>
-        <source>“%1” is no known unit. Type for example %2.</source>
+        <source>“%1” is not a known unit. Type for example %2.</source>
         <translation>„%1“ ist keine bekannte Einheit. Geben Sie zum Beispiel %2 ein.</translation>
     </message>
     <message>
@@ -2534,8 +2530,8 @@ Lizenz: %3</translation>
         <translation>„%1“ ändert einen Wert, und es gibt noch keinen. Geben Sie zum Beispiel %2 ein.</translation>
     </message>
     <message>
-        <source>“%1” is no whole number.</source>
-        <translation>„%1“ ist keine ganze Zahl.</translation>
+        <source>“%1” is not a whole number. Type a number without decimals.</source>
+        <translation>„%1“ ist keine ganze Zahl. Geben Sie eine Zahl ohne Nachkommastellen ein.</translation>
     </message>
     <message>
         <source>Change: %1</source>
@@ -2550,23 +2546,23 @@ Lizenz: %3</translation>
         <translation>Entfernen: %1</translation>
     </message>
     <message>
-        <source>a release lies up to %1 above the press of another speed at %2, which would make energy; the press is felt as that release there</source>
-        <translation>ein Rückweg liegt bei %2 um bis zu %1 über dem Drücken einer anderen Geschwindigkeit, was Energie erzeugen würde; das Drücken fühlt sich dort wie dieser Rückweg an</translation>
+        <source>a release lies up to %1 above the press of another speed at %2, which would generate energy; there, the press is rendered as that release</source>
+        <translation>ein Rückweg liegt bei %2 um bis zu %1 über dem Hinweg einer anderen Geschwindigkeit, was Energie erzeugen würde; der Hinweg wird dort wie dieser Rückweg dargestellt</translation>
     </message>
     <message>
-        <source>speed damps by %1 at %2; %3 is felt</source>
-        <translation>die Geschwindigkeit dämpft bei %2 mit %1; gefühlt wird %3</translation>
+        <source>the dependence on speed damps by %1 at %2; %3 is rendered</source>
+        <translation>die Abhängigkeit von der Geschwindigkeit dämpft bei %2 mit %1; dargestellt wird %3</translation>
     </message>
     <message>
-        <source>speed drives by %1 at %2; %3 is felt</source>
-        <translation>die Geschwindigkeit treibt bei %2 mit %1 an; gefühlt wird %3</translation>
+        <source>the dependence on speed adds energy (%1) at %2; %3 is rendered</source>
+        <translation>die Abhängigkeit von der Geschwindigkeit führt bei %2 Energie zu (%1); dargestellt wird %3</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
         <translation>%1 mm/s</translation>
     </message>
     <message>
-        <source>is a page to import, no button</source>
+        <source>is a page to import, not a button</source>
         <translation>ist eine Seite zum Importieren, kein Taster</translation>
     </message>
     <message>
@@ -2574,11 +2570,11 @@ Lizenz: %3</translation>
         <translation>Mit Importieren öffnen</translation>
     </message>
     <message>
-        <source>is no picture that a PNG can hold</source>
-        <translation>ist kein Bild, das in eine PNG passt</translation>
+        <source>cannot be saved as a PNG</source>
+        <translation>lässt sich nicht als PNG speichern</translation>
     </message>
     <message>
-        <source>cannot be made a folder: %1</source>
+        <source>cannot be created as a folder: %1</source>
         <translation>lässt sich nicht als Ordner anlegen: %1</translation>
     </message>
     <message>
@@ -2586,8 +2582,8 @@ Lizenz: %3</translation>
         <translation>Wählen Sie einen anderen Ort oder Namen</translation>
     </message>
     <message>
-        <source>Export it smaller</source>
-        <translation>Kleiner exportieren</translation>
+        <source>Export it at a smaller size</source>
+        <translation>In kleinerer Größe exportieren</translation>
     </message>
     <message>
         <source>cannot be drawn</source>
@@ -2606,8 +2602,8 @@ Lizenz: %3</translation>
         <translation>Als SVG exportieren</translation>
     </message>
     <message>
-        <source>It was left by an editor that ended too early; it can be deleted</source>
-        <translation>Sie blieb von einem Editor, der zu früh endete; sie kann gelöscht werden</translation>
+        <source>It was left by an editor that ended unexpectedly; it can be deleted</source>
+        <translation>Sie stammt von einem unerwartet beendeten Editor und kann gelöscht werden</translation>
     </message>
     <message>
         <source>is not a recovery file: %1</source>
@@ -2615,11 +2611,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>is not a recovery file: its format is not detent-recovery</source>
-        <translation>ist keine Wiederherstellungsdatei: ihr Format ist nicht detent-recovery</translation>
+        <translation>ist keine Wiederherstellungsdatei: Ihr Format ist nicht detent-recovery</translation>
     </message>
     <message>
         <source>has version %1, not 1</source>
-        <translation>hat Fassung %1, nicht 1</translation>
+        <translation>hat Version %1, nicht 1</translation>
     </message>
     <message>
         <source>it holds no picture</source>
@@ -2635,7 +2631,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Mirror the press to a release first</source>
-        <translation>Zuerst das Drücken zu einem Rückweg spiegeln</translation>
+        <translation>Spiegeln Sie zuerst den Hinweg zu einem Rückweg</translation>
     </message>
     <message>
         <source>slope handle</source>
@@ -2674,8 +2670,8 @@ Lizenz: %3</translation>
         <translation>hat weniger als zwei Knoten</translation>
     </message>
     <message>
-        <source>Select two or more; all go to the last one</source>
-        <translation>Zwei oder mehr wählen; alle gehen zum letzten</translation>
+        <source>Select two or more; all align with the last one</source>
+        <translation>Zwei oder mehr wählen; alle richten sich nach dem letzten aus</translation>
     </message>
     <message>
         <source>has fewer than three knots of one stroke</source>
@@ -2686,20 +2682,20 @@ Lizenz: %3</translation>
         <translation>Drei oder mehr wählen; die beiden äußeren bleiben</translation>
     </message>
     <message>
-        <source>%1 is more than the whole. Press Enter once more if that is meant.</source>
-        <translation>%1 ist mehr als das Ganze. Drücken Sie noch einmal die Eingabetaste, wenn das gemeint ist.</translation>
+        <source>%1 is more than 100 %. Press Enter again to keep it.</source>
+        <translation>%1 ist mehr als 100 %. Drücken Sie noch einmal die Eingabetaste, um den Wert zu behalten.</translation>
     </message>
     <message>
-        <source>%1 is less than a hundredth. Meant: %2? Press Enter once more if not.</source>
-        <translation>%1 ist weniger als ein Hundertstel. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
+        <source>%1 is less than 1 %. Did you mean %2? Press Enter again to keep it.</source>
+        <translation>%1 ist weniger als 1 %. Meinten Sie %2? Drücken Sie noch einmal die Eingabetaste, um den Wert zu behalten.</translation>
     </message>
     <message>
         <source>draw along the whole press curve</source>
-        <translation>die ganze Kurve des Drückens nachziehen</translation>
+        <translation>die ganze Hinwegkurve nachziehen</translation>
     </message>
     <message>
         <source>choose a switch in the list</source>
-        <translation>einen Schalter in der Liste wählen</translation>
+        <translation>einen Taster in der Liste wählen</translation>
     </message>
     <message>
         <source>Choose switch</source>
@@ -2711,23 +2707,23 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Use “Draw release” if the page shows one.</source>
-        <translation>Nehmen Sie „Rückweg zeichnen“, wenn die Seite einen zeigt.</translation>
+        <translation>Verwenden Sie „Rückweg zeichnen“, wenn die Seite einen zeigt.</translation>
     </message>
     <message>
-        <source>segment between knots %1 and %2</source>
-        <translation>Abschnitt zwischen Knoten %1 und %2</translation>
+        <source>piece between knots %1 and %2</source>
+        <translation>Stück zwischen Knoten %1 und %2</translation>
     </message>
     <message>
         <source>Add a knot there (K) and move that</source>
         <translation>Fügen Sie dort einen Knoten hinzu (K) und ziehen Sie diesen</translation>
     </message>
     <message>
-        <source>would get a hump or a dip</source>
-        <translation>bekäme einen Buckel oder eine Delle</translation>
+        <source>would get an extra peak or valley</source>
+        <translation>bekäme eine zusätzliche Spitze oder ein zusätzliches Tal</translation>
     </message>
     <message>
         <source>Draw press curve</source>
-        <translation>Kurve des Drückens zeichnen</translation>
+        <translation>Hinwegkurve zeichnen</translation>
     </message>
     <message>
         <source>is vertical</source>
@@ -2758,16 +2754,16 @@ Lizenz: %3</translation>
         <translation>Geben Sie jeder Zahl in „%1“ eine Einheit.</translation>
     </message>
     <message>
-        <source>“%1” is out of range.</source>
-        <translation>„%1“ liegt außerhalb des Bereichs.</translation>
+        <source>“%1” is too large. Type a smaller number.</source>
+        <translation>„%1“ ist zu groß. Geben Sie eine kleinere Zahl ein.</translation>
     </message>
     <message>
         <source>%1 is unusually high. Press Enter again to keep it.</source>
-        <translation>%1 ist ungewöhnlich viel. Noch einmal Eingabe behält es bei.</translation>
+        <translation>%1 ist ungewöhnlich hoch. Drücken Sie noch einmal die Eingabetaste, um den Wert zu behalten.</translation>
     </message>
     <message>
         <source>%1 is unusually high. Did you mean %2? Press Enter again to keep %1.</source>
-        <translation>%1 ist ungewöhnlich viel. Meinten Sie %2? Noch einmal Eingabe behält %1 bei.</translation>
+        <translation>%1 ist ungewöhnlich hoch. Meinten Sie %2? Drücken Sie noch einmal die Eingabetaste, um %1 zu behalten.</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -2845,12 +2841,12 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::AddJumpTool</name>
     <message>
-        <source>Press on a rising curve where the jump begins, and pull its valley into place.</source>
-        <translation>Drücken Sie auf eine steigende Kurve, wo der Sprung beginnt, und ziehen Sie sein Tal an seinen Platz.</translation>
+        <source>Press on a rising part of a curve where the jump begins, then drag its valley into place.</source>
+        <translation>Drücken Sie die Maustaste auf einem steigenden Teil einer Kurve, wo der Sprung beginnt, und ziehen Sie sein Tal an die gewünschte Stelle.</translation>
     </message>
     <message>
         <source>There is no curve here. Press nearer to one.</source>
-        <translation>Hier ist keine Kurve. Drücken Sie näher an einer.</translation>
+        <translation>Hier ist keine Kurve. Drücken Sie die Maustaste näher an einer Kurve.</translation>
     </message>
     <message>
         <source>Add jump</source>
@@ -2865,7 +2861,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>There is no curve here. Click nearer to one.</source>
-        <translation>Hier ist keine Kurve. Klicken Sie näher an eine.</translation>
+        <translation>Hier ist keine Kurve. Klicken Sie näher an einer Kurve.</translation>
     </message>
     <message>
         <source>Add knot</source>
@@ -2899,8 +2895,8 @@ Lizenz: %3</translation>
         <translation>Teilstrich entfernen</translation>
     </message>
     <message>
-        <source>The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the rectangle stays one.</source>
-        <translation>%1 des Rahmens: Ziehen Sie sie, oder nehmen Sie die Pfeiltasten (Umschalt ×10, Alt ÷10); mit Strg bleibt ein Rechteck eines.</translation>
+        <source>The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the plot frame stays rectangular.</source>
+        <translation>%1 des Rahmens: Ziehen Sie sie, oder verwenden Sie die Pfeiltasten (Umschalt ×10, Alt ÷10); mit Strg bleibt der Rahmen rechteckig.</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -2928,15 +2924,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Tactile point of the press here</source>
-        <translation>Druckpunkt beim Drücken hier</translation>
+        <translation>Druckpunkt des Hinwegs hier</translation>
     </message>
     <message>
         <source>Tactile point of the release here</source>
         <translation>Druckpunkt des Rückwegs hier</translation>
     </message>
     <message>
-        <source>Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. Double-click a tick to type its value. Tab walks through them, arrow keys nudge, Delete removes.</source>
-        <translation>Ziehen Sie Ecken und Kanten des Rahmens, Teilstriche oder Punkte der Kurve; ein Rechtsklick fügt einen Punkt hinzu. Doppelklick auf einen Teilstrich gibt seinen Wert ein. Tab geht von einem zum nächsten, Pfeiltasten rücken, Entf entfernt.</translation>
+        <source>Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. Double-click a tick to type its value. Tab selects the next element, arrow keys move it, Delete removes it.</source>
+        <translation>Ziehen Sie Ecken und Kanten des Rahmens, Teilstriche oder Punkte der Kurve; ein Rechtsklick fügt einen Punkt hinzu. Ein Doppelklick auf einen Teilstrich öffnet die Eingabe seines Werts. Tab wählt das nächste Element, Pfeiltasten verschieben es, Entf entfernt es.</translation>
     </message>
 </context>
 <context>
@@ -2962,7 +2958,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>At</source>
-        <translation>Bei</translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>Note</source>
@@ -2970,15 +2966,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Versions</source>
-        <translation>Fassungen</translation>
+        <translation>Versionen</translation>
     </message>
     <message>
         <source>Version</source>
-        <translation>Fassung</translation>
+        <translation>Version</translation>
     </message>
     <message>
-        <source>Kept</source>
-        <translation>Behalten am</translation>
+        <source>Created</source>
+        <translation>Erstellt am</translation>
     </message>
     <message>
         <source>Note for the selected point. Enter adds it.</source>
@@ -2989,16 +2985,16 @@ Lizenz: %3</translation>
         <translation>Neue Notiz</translation>
     </message>
     <message>
-        <source>Name for the button as it is now; Enter keeps it</source>
-        <translation>Name für den Taster, wie er jetzt ist; Enter behält ihn</translation>
+        <source>Name for a version of the button as it is now. Enter adds it.</source>
+        <translation>Name für eine Version des Tasters, wie er jetzt ist. Eingabe fügt sie hinzu.</translation>
     </message>
     <message>
         <source>Name of the version</source>
-        <translation>Name der Fassung</translation>
+        <translation>Name der Version</translation>
     </message>
     <message>
         <source>Keep all strokes e&amp;nding at the same travel</source>
-        <translation>Alle Hübe enden beim selben W&amp;eg</translation>
+        <translation>Alle Hübe beim selben W&amp;eg enden lassen</translation>
     </message>
     <message>
         <source>New note at the selected point</source>
@@ -3009,8 +3005,8 @@ Lizenz: %3</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take the chosen note away</source>
-        <translation>Die gewählte Notiz wegnehmen</translation>
+        <source>Remove the selected note</source>
+        <translation>Die gewählte Notiz entfernen</translation>
     </message>
     <message>
         <source>Remove a note</source>
@@ -3025,24 +3021,24 @@ Lizenz: %3</translation>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>The button becomes the chosen version</source>
-        <translation>Der Taster wird zur gewählten Fassung</translation>
+        <source>Restore the button to the selected version</source>
+        <translation>Den Taster auf die gewählte Version zurücksetzen</translation>
     </message>
     <message>
         <source>Open in new tab</source>
-        <translation>In neuem Tab öffnen</translation>
+        <translation>In neuem Reiter öffnen</translation>
     </message>
     <message>
-        <source>Open the chosen version as a new button, to compare it</source>
-        <translation>Die gewählte Fassung als neuen Taster öffnen, um sie zu vergleichen</translation>
+        <source>Open the selected version as a new button, to compare it</source>
+        <translation>Die gewählte Version als neuen Taster öffnen, um sie zu vergleichen</translation>
     </message>
     <message>
-        <source>Take the chosen version away</source>
-        <translation>Die gewählte Fassung wegnehmen</translation>
+        <source>Remove the selected version</source>
+        <translation>Die gewählte Version entfernen</translation>
     </message>
     <message>
         <source>Remove a version</source>
-        <translation>Fassung entfernen</translation>
+        <translation>Version entfernen</translation>
     </message>
     <message>
         <source>Links</source>
@@ -3066,15 +3062,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>There is a version called “%1” already. Give this one another name.</source>
-        <translation>Es gibt schon eine Fassung namens „%1“. Geben Sie dieser einen anderen Namen.</translation>
+        <translation>Es gibt schon eine Version namens „%1“. Geben Sie dieser einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Keep version: %1</source>
-        <translation>Fassung behalten: %1</translation>
+        <source>Add version: %1</source>
+        <translation>Version hinzufügen: %1</translation>
     </message>
     <message>
-        <source>Back to: %1</source>
-        <translation>Zurück zu: %1</translation>
+        <source>Restore version: %1</source>
+        <translation>Version wiederherstellen: %1</translation>
     </message>
     <message>
         <source>Change a note</source>
@@ -3082,11 +3078,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Rename a version</source>
-        <translation>Fassung umbenennen</translation>
+        <translation>Version umbenennen</translation>
     </message>
     <message>
         <source>press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>release</source>
@@ -3097,24 +3093,24 @@ Lizenz: %3</translation>
         <translation>Keine gesperrten Punkte. P sperrt den gewählten.</translation>
     </message>
     <message>
-        <source>Pinned points: %1</source>
-        <translation>Angeheftete Punkte: %1</translation>
+        <source>Locked points: %1</source>
+        <translation>Gesperrte Punkte: %1</translation>
     </message>
     <message>
-        <source>From now on, where one end of press or release goes, the ends of all states go</source>
-        <translation>Ab jetzt gehen die Enden aller Zustände dorthin, wohin ein Ende von Drücken oder Rückweg geht</translation>
+        <source>Moving the end of one stroke also moves the ends of all strokes in all states</source>
+        <translation>Wird das Ende eines Hubs verschoben, verschieben sich die Enden aller Hübe aller Zustände mit</translation>
     </message>
     <message>
         <source>Link &amp;release to press, offset</source>
         <translation>&amp;Rückweg an Hinweg koppeln, Abstand</translation>
     </message>
     <message>
-        <source>From now on, edits of the press move the release along. The release keeps its shape.</source>
-        <translation>Ab jetzt nehmen Änderungen des Drückens den Rückweg mit. Der Rückweg behält seine Form.</translation>
+        <source>Edits of the press also move the release. The release keeps its shape.</source>
+        <translation>Änderungen des Hinwegs verschieben auch den Rückweg. Der Rückweg behält seine Form.</translation>
     </message>
     <message>
         <source>Mean distance of the release below the press. Another value lowers or raises the whole release.</source>
-        <translation>Mittlerer Abstand des Rückwegs unter dem Drücken. Ein anderer Wert senkt oder hebt den ganzen Rückweg.</translation>
+        <translation>Mittlerer Abstand des Rückwegs unter dem Hinweg. Ein anderer Wert senkt oder hebt den ganzen Rückweg.</translation>
     </message>
     <message>
         <source>Lower the release</source>
@@ -3140,8 +3136,8 @@ Lizenz: %3</translation>
         <translation>&amp;Erstellen</translation>
     </message>
     <message>
-        <source>Opens the average in a tab of its own</source>
-        <translation>Öffnet das Mittel in einem eigenen Reiter</translation>
+        <source>Opens the average in a new tab</source>
+        <translation>Öffnet das Mittel in einem neuen Reiter</translation>
     </message>
     <message>
         <source>Average which buttons?</source>
@@ -3263,7 +3259,7 @@ Lizenz: %3</translation>
         <translation>nicht gedruckt, geraten</translation>
     </message>
     <message>
-        <source>1 tick given; one more settles the axis</source>
+        <source>1 tick given; one more defines the axis</source>
         <translation>1 Teilstrich vorgegeben; einer mehr legt die Achse fest</translation>
     </message>
     <message>
@@ -3275,11 +3271,11 @@ Lizenz: %3</translation>
         <translation>beschriftet „%1“</translation>
     </message>
     <message>
-        <source>Numbers of this axis are beyond the plot frame: move its edge there</source>
-        <translation>Zahlen dieser Achse stehen jenseits des Rahmens: seine Kante dorthin rücken</translation>
+        <source>Tick labels of this axis lie outside the plot frame: move its edge to include them</source>
+        <translation>Zahlen dieser Achse liegen außerhalb des Rahmens: Verschieben Sie seine Kante bis dorthin</translation>
     </message>
     <message>
-        <source>Extend the frame from %1 to %2</source>
+        <source>Extend the plot frame from %1 to %2</source>
         <translation>Rahmen von %1 bis %2 erweitern</translation>
     </message>
     <message>
@@ -3311,12 +3307,12 @@ Lizenz: %3</translation>
         <translation>Unten und oben steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
     </message>
     <message>
-        <source>Displacement grows:</source>
-        <translation>Der Weg wächst:</translation>
+        <source>Displacement increases:</source>
+        <translation>Der Weg nimmt zu:</translation>
     </message>
     <message>
-        <source>Force grows:</source>
-        <translation>Die Kraft wächst:</translation>
+        <source>Force increases:</source>
+        <translation>Die Kraft nimmt zu:</translation>
     </message>
     <message>
         <source>to the right</source>
@@ -3339,7 +3335,7 @@ Lizenz: %3</translation>
         <translation>Richtung der Achse</translation>
     </message>
     <message>
-        <source>%1 of %2 labels used (fit %3 px)</source>
+        <source>%1 of %2 tick labels used (residual %3 px)</source>
         <translation>%1 von %2 Zahlen verwendet (Abweichung %3 px)</translation>
     </message>
 </context>
@@ -3489,14 +3485,14 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Reload from disk</source>
-        <translation>Neu von der Platte laden</translation>
+        <translation>Vom Datenträger neu laden</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::ChecksPanel</name>
     <message>
-        <source>Problems and oddities of the button</source>
-        <translation>Probleme und Auffälligkeiten des Tasters</translation>
+        <source>Problems and warnings of the button</source>
+        <translation>Probleme und Warnungen zum Taster</translation>
     </message>
     <message>
         <source>No problems found.</source>
@@ -3514,7 +3510,7 @@ Lizenz: %3</translation>
         <translation>Unterschiede</translation>
     </message>
     <message>
-        <source>The force graphs over each other</source>
+        <source>Overlaid force graphs</source>
         <translation>Die Kraftgraphen übereinander</translation>
     </message>
     <message>
@@ -3582,8 +3578,8 @@ Lizenz: %3</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>%1 less %2</source>
-        <translation>%1 weniger %2</translation>
+        <source>%1 − %2</source>
+        <translation>%1 − %2</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -3594,11 +3590,11 @@ Lizenz: %3</translation>
         <translation>Unterschiede zum ersten Taster unter dem Graphen zeigen</translation>
     </message>
     <message>
-        <source>A&amp;dd button</source>
+        <source>&amp;Add button</source>
         <translation>Taster &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>Show another open button over these</source>
+        <source>Overlay another open button</source>
         <translation>Einen weiteren offenen Taster darüberlegen</translation>
     </message>
     <message>
@@ -3630,7 +3626,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>%1 press %2, release %3</source>
-        <translation>%1 Drücken %2, Rückweg %3</translation>
+        <translation>%1 Hinweg %2, Rückweg %3</translation>
     </message>
     <message>
         <source>At %1: %2 (%3)</source>
@@ -3638,7 +3634,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>%1 press %2</source>
-        <translation>%1 Drücken %2</translation>
+        <translation>%1 Hinweg %2</translation>
     </message>
     <message>
         <source>From the pinned cursor: %1; %2</source>
@@ -3656,16 +3652,12 @@ Lizenz: %3</translation>
         <translation>Kurven</translation>
     </message>
     <message>
-        <source>Exchange press and release</source>
-        <translation>Drücken und Rückweg vertauschen</translation>
-    </message>
-    <message>
-        <source>Exchange strokes</source>
-        <translation>Kurven vertauschen</translation>
+        <source>Swap press and release</source>
+        <translation>Hinweg und Rückweg vertauschen</translation>
     </message>
     <message>
         <source>Press curve…</source>
-        <translation>Drücken …</translation>
+        <translation>Hinweg …</translation>
     </message>
     <message>
         <source>Release curve…</source>
@@ -3673,19 +3665,19 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Click the press curve on the page</source>
-        <translation>Klicken Sie auf der Seite die Kurve des Drückens an</translation>
+        <translation>Klicken Sie auf der Seite die Hinwegkurve an</translation>
     </message>
     <message>
         <source>Click the release curve on the page</source>
-        <translation>Klicken Sie auf der Seite die Kurve des Rückwegs an</translation>
+        <translation>Klicken Sie auf der Seite die Rückwegkurve an</translation>
     </message>
     <message>
         <source>Reset press curve</source>
-        <translation>Kurve des Drückens zurücksetzen</translation>
+        <translation>Hinwegkurve zurücksetzen</translation>
     </message>
     <message>
         <source>Reset release curve</source>
-        <translation>Kurve des Rückwegs zurücksetzen</translation>
+        <translation>Rückwegkurve zurücksetzen</translation>
     </message>
     <message>
         <source>Mask…</source>
@@ -3708,8 +3700,8 @@ Lizenz: %3</translation>
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>by quality</source>
-        <translation>nach Qualität</translation>
+        <source>automatic, by quality</source>
+        <translation>automatisch, nach Qualität</translation>
     </message>
     <message>
         <source>Resolution at which a page of a document is drawn before it is traced, in dots per inch</source>
@@ -3724,12 +3716,12 @@ Lizenz: %3</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>1 place masked</source>
-        <translation>1 Stelle maskiert</translation>
+        <source>1 area masked</source>
+        <translation>1 Bereich maskiert</translation>
     </message>
     <message>
-        <source>%1 places masked</source>
-        <translation>%1 Stellen maskiert</translation>
+        <source>%1 areas masked</source>
+        <translation>%1 Bereiche maskiert</translation>
     </message>
 </context>
 <context>
@@ -3770,16 +3762,16 @@ Lizenz: %3</translation>
         <translation>Erhaltene Energie: %1</translation>
     </message>
     <message>
-        <source>Worst error in time: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz</source>
+        <source>Largest timing error: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz</source>
         <translation>Größter Zeitfehler: %1 ms; verschmolzene Grains: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
     </message>
     <message>
-        <source>The format has no room for the whole press: its end is cut off. The file says where.</source>
-        <translation>Das Format hat keinen Platz für den ganzen Druck: Sein Ende ist abgeschnitten. Die Datei sagt, wo.</translation>
+        <source>The format cannot hold the whole press: its end is cut off. The file states where.</source>
+        <translation>Das Format fasst nicht die ganze Betätigung: Ihr Ende ist abgeschnitten. Die Datei gibt an, wo.</translation>
     </message>
     <message>
         <source>Target format of the press</source>
-        <translation>Zielformat des Drucks</translation>
+        <translation>Zielformat der Betätigung</translation>
     </message>
     <message>
         <source>Samples per second</source>
@@ -3794,8 +3786,8 @@ Lizenz: %3</translation>
         <translation>Bit</translation>
     </message>
     <message>
-        <source>How long the finger goes down</source>
-        <translation>Wie lange der Finger abwärts geht</translation>
+        <source>Duration of the press stroke</source>
+        <translation>Dauer des Hinwegs</translation>
     </message>
     <message>
         <source>Export for a device</source>
@@ -3806,8 +3798,8 @@ Lizenz: %3</translation>
         <translation>&amp;Gerät:</translation>
     </message>
     <message>
-        <source>Way &amp;down of the press:</source>
-        <translation>&amp;Abwärtsweg des Drucks:</translation>
+        <source>Press &amp;stroke duration:</source>
+        <translation>&amp;Dauer des Hinwegs:</translation>
     </message>
     <message>
         <source>&amp;Rate:</source>
@@ -3822,8 +3814,8 @@ Lizenz: %3</translation>
         <translation>&amp;Exportieren …</translation>
     </message>
     <message>
-        <source>Choose where the file goes, and write it</source>
-        <translation>Wählen, wohin die Datei kommt, und sie schreiben</translation>
+        <source>Choose a location and write the file</source>
+        <translation>Speicherort wählen und die Datei schreiben</translation>
     </message>
 </context>
 <context>
@@ -3833,8 +3825,8 @@ Lizenz: %3</translation>
         <translation>Weg über der Kraft</translation>
     </message>
     <message>
-        <source>What a finger feels that controls force: jumps are vertical lines.</source>
-        <translation>Was ein Finger fühlt, der die Kraft steuert: Sprünge sind senkrechte Linien.</translation>
+        <source>What a finger feels that controls force: jumps appear as vertical lines.</source>
+        <translation>Was ein Finger fühlt, der die Kraft steuert: Sprünge erscheinen als senkrechte Linien.</translation>
     </message>
 </context>
 <context>
@@ -3847,20 +3839,20 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::DrawCurveTool</name>
     <message>
-        <source>Click points along the press curve, or draw along it; Enter or a double click ends it. Over a part of a traced curve it replaces that part.</source>
-        <translation>Klicken Sie Punkte entlang der Kurve des Drückens oder zeichnen Sie an ihr entlang; Eingabetaste oder Doppelklick beendet. Über einem Teil einer abgelesenen Kurve ersetzt es diesen Teil.</translation>
+        <source>Click points along the press curve, or draw along it; Enter or a double-click ends it. Drawing over part of a traced curve replaces that part.</source>
+        <translation>Klicken Sie Punkte entlang der Hinwegkurve, oder zeichnen Sie an ihr entlang; die Eingabetaste oder ein Doppelklick beendet sie. Über einem Teil einer abgelesenen Kurve ersetzt die Zeichnung diesen Teil.</translation>
     </message>
     <message>
-        <source>Click points along the release curve, or draw along it; Enter or a double click ends it. Over a part of a traced curve it replaces that part.</source>
-        <translation>Klicken Sie Punkte entlang der Kurve des Rückwegs oder zeichnen Sie an ihr entlang; Eingabetaste oder Doppelklick beendet. Über einem Teil einer abgelesenen Kurve ersetzt es diesen Teil.</translation>
+        <source>Click points along the release curve, or draw along it; Enter or a double-click ends it. Drawing over part of a traced curve replaces that part.</source>
+        <translation>Klicken Sie Punkte entlang der Rückwegkurve, oder zeichnen Sie an ihr entlang; die Eingabetaste oder ein Doppelklick beendet sie. Über einem Teil einer abgelesenen Kurve ersetzt die Zeichnung diesen Teil.</translation>
     </message>
     <message>
         <source>Draw press curve</source>
-        <translation>Kurve des Drückens zeichnen</translation>
+        <translation>Hinwegkurve zeichnen</translation>
     </message>
     <message>
         <source>Draw release curve</source>
-        <translation>Kurve des Rückwegs zeichnen</translation>
+        <translation>Rückwegkurve zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3870,8 +3862,8 @@ Lizenz: %3</translation>
         <translation>Rahmen zeichnen</translation>
     </message>
     <message>
-        <source>Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. Over the frame of the graph shown it corrects that; beside it it adds a graph. Its edges cling to lines.</source>
-        <translation>Ziehen Sie von einer Ecke des Graphen zur gegenüberliegenden: das Rechteck, in dem die Kurven gezeichnet sind. Über dem Rahmen des gezeigten Graphen berichtigt das ihn; daneben fügt es einen Graphen hinzu. Seine Kanten haften an Linien.</translation>
+        <source>Drag from one corner of the area in which the curves are drawn to the opposite one. Over the current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.</source>
+        <translation>Ziehen Sie von einer Ecke des Bereichs, in dem die Kurven gezeichnet sind, zur gegenüberliegenden. Über dem aktuellen Rahmen ersetzt der neue diesen; an anderer Stelle kommt ein Graph hinzu. Die Kanten rasten an Linien ein.</translation>
     </message>
 </context>
 <context>
@@ -3885,7 +3877,7 @@ Lizenz: %3</translation>
         <translation>&amp;Neue Studie …</translation>
     </message>
     <message>
-        <source>Make a study of the open buttons</source>
+        <source>Create a study with the open buttons</source>
         <translation>Eine Studie mit den offenen Tastern anlegen</translation>
     </message>
     <message>
@@ -3898,11 +3890,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Participants</source>
-        <translation>Teilnehmende</translation>
+        <translation>Versuchspersonen</translation>
     </message>
     <message>
         <source>Participant</source>
-        <translation>Teilnehmer/in</translation>
+        <translation>Versuchsperson</translation>
     </message>
     <message>
         <source>Answered</source>
@@ -3913,68 +3905,68 @@ Lizenz: %3</translation>
         <translation>Antworten von</translation>
     </message>
     <message>
-        <source>To be known</source>
-        <translation>Zu wissen</translation>
+        <source>Remarks</source>
+        <translation>Hinweise</translation>
     </message>
     <message>
-        <source>Letters, digits, - and _; no name of a person. One that is in the list goes on at the very question</source>
-        <translation>Buchstaben, Ziffern, - und _; kein Name eines Menschen. Wer in der Liste steht, macht genau bei seiner Frage weiter</translation>
+        <source>Letters, digits, - and _; not a person&apos;s name. A participant in the list continues with the question they had reached</source>
+        <translation>Buchstaben, Ziffern, - und _; kein Personenname. Wer in der Liste steht, macht bei der zuletzt gestellten Frage weiter</translation>
     </message>
     <message>
-        <source>Where nothing is felt, every row and every page of the report says so</source>
-        <translation>Wo nichts zu fühlen ist, sagt es jede Zeile und jede Seite des Berichts</translation>
+        <source>Rehearsals and simulated answers are marked in every row and on every page of the report</source>
+        <translation>Probeläufe und simulierte Antworten sind in jeder Zeile und auf jeder Seite des Berichts gekennzeichnet</translation>
     </message>
     <message>
         <source>a person, with the sound device</source>
-        <translation>ein Mensch, mit dem Audiogerät</translation>
+        <translation>eine Person, mit dem Audiogerät</translation>
     </message>
     <message>
-        <source>nobody who counts: a rehearsal without a sound device</source>
-        <translation>niemand, der zählt: eine Probe ohne Audiogerät</translation>
+        <source>nobody: a rehearsal without a sound device</source>
+        <translation>niemand: ein Probelauf ohne Audiogerät</translation>
     </message>
     <message>
         <source>the program, guessing</source>
-        <translation>das Programm, geraten</translation>
+        <translation>das Programm, durch Raten</translation>
     </message>
     <message>
-        <source>the program, without an error</source>
-        <translation>das Programm, ohne Fehler</translation>
+        <source>the program, always correct</source>
+        <translation>das Programm, immer richtig</translation>
     </message>
     <message>
-        <source>What reaches the ears; kept in every row</source>
-        <translation>Was die Ohren erreicht; steht in jeder Zeile</translation>
+        <source>What the participant hears; recorded with every answer</source>
+        <translation>Was die Versuchsperson hört; wird mit jeder Antwort gespeichert</translation>
     </message>
     <message>
         <source>quiet</source>
         <translation>still</translation>
     </message>
     <message>
-        <source>masked by rain</source>
-        <translation>durch Regen verdeckt</translation>
+        <source>masked by rain noise</source>
+        <translation>durch Regengeräusch maskiert</translation>
     </message>
     <message>
-        <source>on the outputs behind the vibration&apos;s</source>
-        <translation>auf den Ausgängen hinter dem der Schwingung</translation>
+        <source>on the output channels after those of the vibration</source>
+        <translation>auf den Ausgangskanälen nach denen der Vibration</translation>
     </message>
     <message>
-        <source>Sound device of the headphones that play rain; turn it up until the vibration is inaudible</source>
-        <translation>Audiogerät der Kopfhörer, die Regen spielen; drehen Sie auf, bis die Schwingung nicht zu hören ist</translation>
+        <source>Sound device of the headphones that play rain noise; turn up the volume until the vibration is inaudible</source>
+        <translation>Audiogerät der Kopfhörer für das Regengeräusch; erhöhen Sie die Lautstärke, bis die Vibration nicht mehr zu hören ist</translation>
     </message>
     <message>
-        <source>Serial port of a force sensor under the finger, calibrated by the study&apos;s device profile; empty: keys and large buttons press</source>
-        <translation>Serieller Anschluss eines Kraftsensors unter dem Finger, kalibriert durch das Geräteprofil der Studie; leer: Tasten und große Knöpfe drücken</translation>
+        <source>Serial port of a force sensor under the finger, calibrated by the study&apos;s device profile. If empty, participants press with keys or large on-screen buttons</source>
+        <translation>Serieller Anschluss eines Kraftsensors unter dem Finger, kalibriert durch das Geräteprofil der Studie. Wenn leer, wird mit Tasten oder großen Schaltflächen gedrückt</translation>
     </message>
     <message>
         <source>Next &amp;participant:</source>
-        <translation>&amp;Nächste Person:</translation>
+        <translation>Nächste &amp;Versuchsperson:</translation>
     </message>
     <message>
         <source>&amp;Answers by:</source>
         <translation>&amp;Antworten von:</translation>
     </message>
     <message>
-        <source>&amp;Listening:</source>
-        <translation>&amp;Gehör:</translation>
+        <source>&amp;Listening condition:</source>
+        <translation>&amp;Hörbedingung:</translation>
     </message>
     <message>
         <source>&amp;Headphones:</source>
@@ -3985,16 +3977,16 @@ Lizenz: %3</translation>
         <translation>Kraft&amp;sensor:</translation>
     </message>
     <message>
-        <source>&amp;Begin or go on</source>
-        <translation>&amp;Beginnen oder weitermachen</translation>
+        <source>&amp;Begin or continue</source>
+        <translation>&amp;Beginnen oder fortsetzen</translation>
     </message>
     <message>
         <source>Open the participant&apos;s window, or let the program answer</source>
-        <translation>Das Fenster für die Person öffnen, oder das Programm antworten lassen</translation>
+        <translation>Das Fenster für die Versuchsperson öffnen, oder das Programm antworten lassen</translation>
     </message>
     <message>
         <source>Write the &amp;report…</source>
-        <translation>&amp;Bericht schreiben …</translation>
+        <translation>Be&amp;richt schreiben …</translation>
     </message>
     <message>
         <source>Write tables and pictures of the answers so far as one HTML page</source>
@@ -4005,20 +3997,20 @@ Lizenz: %3</translation>
         <translation>Studie öffnen</translation>
     </message>
     <message>
-        <source>Make a new study of the open buttons, or open the folder of one.</source>
-        <translation>Legen Sie eine neue Studie mit den offenen Tastern an, oder öffnen Sie den Ordner einer Studie.</translation>
+        <source>Create a new study with the open buttons, or open the folder of an existing one.</source>
+        <translation>Legen Sie eine neue Studie mit den offenen Tastern an, oder öffnen Sie den Ordner einer vorhandenen.</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;: %2. Questions for each participant: %3</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Fragen an jede Person: %3</translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Fragen an jede Versuchsperson: %3</translation>
     </message>
     <message>
-        <source>A participant is at work: finish or pause there first.</source>
-        <translation>Eine Person ist bei der Arbeit: Beenden oder pausieren Sie zuerst dort.</translation>
+        <source>A participant is answering. Finish or pause the session in the participant&apos;s window first.</source>
+        <translation>Eine Versuchsperson antwortet gerade. Beenden oder unterbrechen Sie die Sitzung zuerst in deren Fenster.</translation>
     </message>
     <message>
         <source>%1 Or choose a rehearsal.</source>
-        <translation>%1 Oder wählen Sie eine Probe.</translation>
+        <translation>%1 Oder wählen Sie einen Probelauf.</translation>
     </message>
     <message>
         <source>%1 has answered everything.</source>
@@ -4045,48 +4037,48 @@ Lizenz: %3</translation>
         <translation>Geschrieben: %1</translation>
     </message>
     <message>
-        <source>Of everything the participant reads</source>
-        <translation>Von allem, was die Versuchsperson liest</translation>
+        <source>Language of all texts that the participant reads</source>
+        <translation>Sprache aller Texte für die Versuchsperson</translation>
     </message>
     <message>
-        <source>It is covered wholly; on another one this window stays</source>
-        <translation>Er wird ganz bedeckt; auf einem anderen bleibt dieses Fenster stehen</translation>
+        <source>The participant&apos;s window fills this screen; choose another one to keep this window visible</source>
+        <translation>Das Fenster der Versuchsperson füllt diesen Bildschirm; auf einem anderen bleibt dieses Fenster sichtbar</translation>
     </message>
     <message>
-        <source>Their lan&amp;guage:</source>
-        <translation>Deren S&amp;prache:</translation>
+        <source>Participant&apos;s lan&amp;guage:</source>
+        <translation>S&amp;prache der Versuchsperson:</translation>
     </message>
     <message>
-        <source>Their s&amp;creen:</source>
-        <translation>Deren Bil&amp;dschirm:</translation>
+        <source>Participant&apos;s s&amp;creen:</source>
+        <translation>Bil&amp;dschirm der Versuchsperson:</translation>
     </message>
     <message>
-        <source>%1 is at work.</source>
-        <translation>%1 ist an der Arbeit.</translation>
+        <source>%1 is answering.</source>
+        <translation>%1 antwortet gerade.</translation>
     </message>
     <message>
         <source>reads the consent text</source>
         <translation>liest die Einwilligung</translation>
     </message>
     <message>
-        <source>reads what comes</source>
-        <translation>liest, was kommt</translation>
+        <source>reads the instructions</source>
+        <translation>liest die Anleitung</translation>
     </message>
     <message>
         <source>is at a question</source>
         <translation>ist an einer Frage</translation>
     </message>
     <message>
-        <source>rests</source>
-        <translation>ruht aus</translation>
+        <source>is resting</source>
+        <translation>ruht sich aus</translation>
     </message>
     <message>
         <source>pauses</source>
         <translation>macht eine Pause</translation>
     </message>
     <message>
-        <source>waits for you: a device went away</source>
-        <translation>wartet auf Sie: ein Gerät ist weg</translation>
+        <source>waits for you: a device was disconnected</source>
+        <translation>wartet auf Sie: Ein Gerät wurde getrennt</translation>
     </message>
     <message>
         <source>is done and waits for you</source>
@@ -4097,20 +4089,20 @@ Lizenz: %3</translation>
         <translation>%1: %2 von %3 beantwortet; %4</translation>
     </message>
     <message>
-        <source>force device of Feel it</source>
-        <translation>Kraftgerät von Fühlen</translation>
+        <source>force device of the Feel panel</source>
+        <translation>Kraftgerät des Bereichs „Fühlen“</translation>
     </message>
     <message>
-        <source>The button is felt on it and pressed there; chosen under Setup of Feel it</source>
-        <translation>Der Taster wird darauf gefühlt und gedrückt; gewählt unter Einrichtung bei Fühlen</translation>
+        <source>The button is felt and pressed on this device; choose it in the Feel panel under Setup</source>
+        <translation>Der Taster wird auf diesem Gerät gefühlt und gedrückt; wählen Sie es im Bereich „Fühlen“ unter „Einrichtung“</translation>
     </message>
     <message>
         <source>none is chosen</source>
         <translation>keines ist gewählt</translation>
     </message>
     <message>
-        <source>Choose one under Setup of Feel it</source>
-        <translation>Eines unter Einrichtung in Fühlen wählen</translation>
+        <source>Choose one in the Feel panel under Setup</source>
+        <translation>Eines im Bereich „Fühlen“ unter „Einrichtung“ wählen</translation>
     </message>
     <message>
         <source>Study</source>
@@ -4129,7 +4121,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Export samples</source>
-        <translation>Messwerte exportieren</translation>
+        <translation>Kurvenwerte exportieren</translation>
     </message>
     <message>
         <source>CSV, mm and N</source>
@@ -4149,15 +4141,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Export the vibration of a press</source>
-        <translation>Die Schwingung eines Drucks exportieren</translation>
+        <translation>Die Vibration einer Betätigung exportieren</translation>
     </message>
     <message>
         <source>WAV sound</source>
         <translation>WAV-Klang</translation>
     </message>
     <message>
-        <source>Share as a page</source>
-        <translation>Als Seite teilen</translation>
+        <source>Share as web page</source>
+        <translation>Als Webseite teilen</translation>
     </message>
     <message>
         <source>Web page</source>
@@ -4205,11 +4197,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Samples at given travels</source>
-        <translation>Werte bei bestimmten Wegen</translation>
+        <translation>Kurvenwerte an bestimmten Stellen</translation>
     </message>
     <message>
-        <source>Step, or travels with spaces between them, in %1:</source>
-        <translation>Schritt, oder Wege mit Leerzeichen dazwischen, in %1:</translation>
+        <source>Step, or travels separated by spaces or semicolons, in %1:</source>
+        <translation>Schrittweite oder Wege, durch Leerzeichen oder Semikolons getrennt, in %1:</translation>
     </message>
 </context>
 <context>
@@ -4236,27 +4228,27 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Standard press</source>
-        <translation>Normdruck</translation>
+        <translation>Standardbetätigung</translation>
     </message>
     <message>
-        <source>Draw and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms</source>
-        <translation>Einen Normdruck zeichnen und spielen: 120 ms hinab, 80 ms halten, 100 ms zurück</translation>
+        <source>Show and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms</source>
+        <translation>Eine Standardbetätigung zeigen und abspielen: Anstieg 120 ms, Halten 80 ms, Abfall 100 ms</translation>
     </message>
     <message>
         <source>My last press</source>
-        <translation>Mein letzter Druck</translation>
+        <translation>Meine letzte Betätigung</translation>
     </message>
     <message>
-        <source>Draw and play your own last press, on A as on B and after every edit: the same finger for each</source>
-        <translation>Ihren eigenen letzten Druck zeichnen und spielen, auf A wie auf B und nach jeder Änderung: derselbe Finger für alle</translation>
+        <source>Show and play your own last press, on A, on B and after every edit, so that all are pressed in the same way</source>
+        <translation>Ihre letzte Betätigung zeigen und abspielen, auf A, auf B und nach jeder Änderung, damit alle gleich gedrückt werden</translation>
     </message>
     <message>
-        <source>Play the drawn press</source>
-        <translation>Gezeichneten Druck spielen</translation>
+        <source>Play the press shown</source>
+        <translation>Gezeigte Betätigung abspielen</translation>
     </message>
     <message>
-        <source>Play the press that is drawn on the sound device: the transducer moves by itself</source>
-        <translation>Den gezeichneten Druck auf dem Audiogerät spielen: Der Wandler bewegt sich von selbst</translation>
+        <source>Play the press shown; the sound device drives the transducer without a finger</source>
+        <translation>Die gezeigte Betätigung abspielen; das Audiogerät bewegt den Wandler ohne Finger</translation>
     </message>
     <message>
         <source>Play</source>
@@ -4279,8 +4271,8 @@ Lizenz: %3</translation>
         <translation>Dieser Taster lässt sich nicht drücken: %1</translation>
     </message>
     <message>
-        <source>This build of Detent has no live playback, so the pad cannot be pressed. The vibration is drawn below.</source>
-        <translation>Dieses Detent ist ohne Live-Wiedergabe gebaut, daher lässt sich das Feld nicht drücken. Die Schwingung ist unten gezeichnet.</translation>
+        <source>This build of Detent has no live playback, so the pad cannot be pressed. The vibration is shown below.</source>
+        <translation>Dieses Detent ist ohne Live-Wiedergabe gebaut, daher lässt sich das Feld nicht drücken. Die Vibration ist unten gezeigt.</translation>
     </message>
     <message>
         <source>Sound, force and setup</source>
@@ -4295,11 +4287,11 @@ Lizenz: %3</translation>
         <translation>Vergleichssignal abspielen</translation>
     </message>
     <message>
-        <source>Play the reference on the sound device, at the same gain as the press; once more ends it</source>
-        <translation>Das Vergleichssignal auf dem Audiogerät spielen, mit derselben Verstärkung wie den Druck; noch einmal beendet es</translation>
+        <source>Play the reference on the sound device, at the same gain as the press; click again to stop</source>
+        <translation>Das Vergleichssignal auf dem Audiogerät abspielen, mit derselben Verstärkung wie die Betätigung; ein weiterer Klick beendet es</translation>
     </message>
     <message>
-        <source>Take the reference away</source>
+        <source>Remove the reference</source>
         <translation>Vergleichssignal entfernen</translation>
     </message>
     <message>
@@ -4323,8 +4315,8 @@ Lizenz: %3</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Switch between A and B while pressing. Both are played at their true levels: nothing is made equally loud.</source>
-        <translation>Wechselt beim Drücken zwischen A und B. Beide klingen in ihrer wahren Stärke: nichts wird gleich laut gemacht.</translation>
+        <source>Switch between A and B while pressing. Both are played at their true levels, without loudness matching.</source>
+        <translation>Beim Drücken zwischen A und B wechseln. Beide werden mit ihrem wahren Pegel wiedergegeben, ohne Angleichung der Lautstärke.</translation>
     </message>
 </context>
 <context>
@@ -4334,12 +4326,12 @@ Lizenz: %3</translation>
         <translation>%1 wird mit seinem wahren Pegel gedrückt</translation>
     </message>
     <message>
-        <source>One press at a time</source>
-        <translation>Immer nur ein Druck auf einmal</translation>
+        <source>Only one press can be played at a time</source>
+        <translation>Es kann immer nur eine Betätigung abgespielt werden</translation>
     </message>
     <message>
         <source>Switch the sound on to play a press</source>
-        <translation>Schalten Sie den Ton ein, um einen Druck zu spielen</translation>
+        <translation>Schalten Sie den Ton ein, um eine Betätigung abzuspielen</translation>
     </message>
     <message>
         <source>Switch the sound on to play it</source>
@@ -4354,15 +4346,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Hold: a human-like press</source>
-        <translation>Halten: ein Druck wie von Menschenhand</translation>
+        <translation>Halten: eine Betätigung wie von Hand</translation>
     </message>
     <message>
         <source>Drag down: depth</source>
-        <translation>Hinabziehen: Tiefe</translation>
+        <translation>Nach unten ziehen: Tiefe</translation>
     </message>
     <message>
         <source>Drag down: force</source>
-        <translation>Hinabziehen: Kraft</translation>
+        <translation>Nach unten ziehen: Kraft</translation>
     </message>
     <message>
         <source>&amp;Press with mouse:</source>
@@ -4374,23 +4366,23 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Force of a full press: at the end of a timed press, at full pen pressure, at the end of a drag. Automatic: a quarter more than the button&apos;s strongest force.</source>
-        <translation>Kraft eines vollen Drucks: am Ende eines Drucks nach Zeit, bei vollem Stiftdruck, am Ende eines Zugs. Automatisch: ein Viertel mehr als die stärkste Kraft des Tasters.</translation>
+        <translation>Kraft bei voller Betätigung: am Ende einer zeitgesteuerten Betätigung, bei vollem Stiftdruck, am Ende des Ziehens. Automatisch: ein Viertel mehr als die größte Kraft des Tasters.</translation>
     </message>
     <message>
         <source>&amp;Full press:</source>
-        <translation>&amp;Voller Druck:</translation>
+        <translation>&amp;Volle Betätigung:</translation>
     </message>
     <message>
         <source>Graph follows the state</source>
         <translation>Graph folgt dem Zustand</translation>
     </message>
     <message>
-        <source>Of a self-locking button the graph shows the state that is felt: unlocked, locked.</source>
-        <translation>Von einem rastenden Taster zeigt der Graph den Zustand, der gefühlt wird: gelöst, eingerastet.</translation>
+        <source>For a self-locking button, the graph shows the state that is felt: unlocked or locked.</source>
+        <translation>Bei einem rastenden Taster zeigt der Graph den gefühlten Zustand: gelöst oder eingerastet.</translation>
     </message>
     <message>
-        <source>Which parts of the button are felt; for comparing with the base case.</source>
-        <translation>Welche Teile des Tasters zu fühlen sind; zum Vergleich mit dem Grundfall.</translation>
+        <source>Which parts of the button are felt; reduced feedback serves as a baseline for comparison.</source>
+        <translation>Welche Teile des Tasters zu fühlen sind; reduzierte Rückmeldung dient als Vergleich.</translation>
     </message>
     <message>
         <source>Everything</source>
@@ -4402,7 +4394,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Slopes only (grains)</source>
-        <translation>Nur Steigungen (Körner)</translation>
+        <translation>Nur Steigungen (Grains)</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -4413,36 +4405,36 @@ Lizenz: %3</translation>
         <translation>&amp;Rückmeldung:</translation>
     </message>
     <message>
-        <source>Even: every event equally late</source>
-        <translation>Gleichmäßig: alles gleich spät</translation>
+        <source>Even: constant delay for every event</source>
+        <translation>Gleichmäßig: feste Verzögerung für jedes Ereignis</translation>
     </message>
     <message>
-        <source>Events sound at the time at which the finger passed them, plus a constant delay.</source>
-        <translation>Ereignisse klingen zu der Zeit, zu der der Finger sie überschritt, mit fester Verzögerung.</translation>
+        <source>Events are played at the time at which the finger passed them, plus a constant delay.</source>
+        <translation>Ereignisse werden zu dem Zeitpunkt gespielt, zu dem der Finger sie überschritt, mit fester Verzögerung.</translation>
     </message>
     <message>
-        <source>Fast: every event at once</source>
-        <translation>Schnell: alles sofort</translation>
+        <source>Fast: every event as early as possible</source>
+        <translation>Schnell: jedes Ereignis so früh wie möglich</translation>
     </message>
     <message>
-        <source>Events sound as soon as a reading shows them: earlier on average, less evenly.</source>
-        <translation>Ereignisse klingen, sobald ein Messwert sie zeigt: im Mittel früher, weniger gleichmäßig.</translation>
+        <source>Events are played as soon as a reading shows them: earlier on average, less evenly.</source>
+        <translation>Ereignisse werden gespielt, sobald ein Messwert sie zeigt: im Mittel früher, weniger gleichmäßig.</translation>
     </message>
     <message>
         <source>Timing:</source>
-        <translation>Zeitlage:</translation>
+        <translation>Zeitverhalten:</translation>
     </message>
     <message>
         <source>A .device file: response of the transducer, calibration of the sensor, as measured by detent-play sweep and calibrate.</source>
-        <translation>Eine .device-Datei: Antwort des Wandlers und Kalibrierung des Sensors, wie detent-play sweep und calibrate sie messen.</translation>
+        <translation>Eine .device-Datei: Frequenzgang des Wandlers und Kalibrierung des Sensors, wie detent-play sweep und calibrate sie messen.</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Keines</translation>
     </message>
     <message>
-        <source>Play as for a perfect device</source>
-        <translation>Spielen wie für ein vollkommenes Gerät</translation>
+        <source>Play as for an ideal device</source>
+        <translation>Wiedergabe wie für ein ideales Gerät</translation>
     </message>
     <message>
         <source>&amp;Device profile:</source>
@@ -4481,12 +4473,12 @@ Lizenz: %3</translation>
         <translation>Abtastwerte je Puffer: Kleiner ist schneller, größer ist sicherer gegen Aussetzer</translation>
     </message>
     <message>
-        <source>the host&apos;s choice</source>
+        <source>chosen by the system</source>
         <translation>vom System gewählt</translation>
     </message>
     <message>
-        <source>%1 frames</source>
-        <translation>%1 Frames</translation>
+        <source>%1 samples</source>
+        <translation>%1 Abtastwerte</translation>
     </message>
     <message>
         <source>Sample &amp;rate:</source>
@@ -4494,7 +4486,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>&amp;Buffer:</source>
-        <translation>P&amp;uffer:</translation>
+        <translation>Pu&amp;ffer:</translation>
     </message>
     <message>
         <source>Serial port of the force sensor, for example /dev/ttyACM0</source>
@@ -4566,7 +4558,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>resonances: %1, equalizer bands: %2</source>
-        <translation>Resonanzen: %1, Bänder des Equalizers: %2</translation>
+        <translation>Resonanzen: %1, Bänder des Entzerrers: %2</translation>
     </message>
     <message>
         <source>; sensor calibrated from %1 to %2 N, ±%3 N</source>
@@ -4577,20 +4569,20 @@ Lizenz: %3</translation>
         <translation>; gemessene Verzögerung %1 ms (SD %2, N = %3)</translation>
     </message>
     <message>
-        <source>Waiting for the first reading. If none comes: is the baud rate right?</source>
-        <translation>Es wird auf den ersten Messwert gewartet. Wenn keiner kommt: Stimmt die Baudrate?</translation>
+        <source>Waiting for the first reading. If none arrives, check the baud rate.</source>
+        <translation>Es wird auf den ersten Messwert gewartet. Wenn keiner kommt, prüfen Sie die Baudrate.</translation>
     </message>
     <message>
         <source>Running, %1 readings a second</source>
         <translation>Läuft, %1 Messwerte je Sekunde</translation>
     </message>
     <message>
-        <source>Silent: it has stopped sending. Check its power and its program.</source>
-        <translation>Stumm: Er sendet nicht mehr. Prüfen Sie seine Versorgung und sein Programm.</translation>
+        <source>No data: the sensor has stopped sending. Check its power supply and firmware.</source>
+        <translation>Keine Daten: Der Sensor sendet nicht mehr. Prüfen Sie seine Stromversorgung und Firmware.</translation>
     </message>
     <message>
-        <source>Stuck: the same force for 10 s. Something presses on it, or it is defective.</source>
-        <translation>Hängt: seit 10 s dieselbe Kraft. Etwas drückt darauf, oder er ist defekt.</translation>
+        <source>Stuck: the same force for 10 s. Remove anything pressing on the sensor. If the force stays the same, the sensor is defective.</source>
+        <translation>Hängt: seit 10 s dieselbe Kraft. Entfernen Sie, was auf den Sensor drückt. Bleibt die Kraft gleich, ist der Sensor defekt.</translation>
     </message>
     <message>
         <source>; %1 readings rejected, %2 lines not understood</source>
@@ -4739,16 +4731,16 @@ Lizenz: %3</translation>
         <translation>alle Arten</translation>
     </message>
     <message>
-        <source>&amp;Figure from … to …</source>
-        <translation>&amp;Kenngröße von … bis …</translation>
+        <source>Key &amp;figure from … to …</source>
+        <translation>&amp;Kennzahl von … bis …</translation>
     </message>
     <message>
-        <source>Show only switches with a figure within bounds</source>
-        <translation>Nur Schalter zeigen, deren Kenngröße in Grenzen liegt</translation>
+        <source>Show only switches with a key figure within limits</source>
+        <translation>Nur Schalter zeigen, deren Kennzahl innerhalb von Grenzen liegt</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation>Kenngröße</translation>
+        <translation>Kennzahl</translation>
     </message>
     <message>
         <source>at least</source>
@@ -4759,8 +4751,8 @@ Lizenz: %3</translation>
         <translation>höchstens</translation>
     </message>
     <message>
-        <source>Take this condition away</source>
-        <translation>Diese Bedingung wegnehmen</translation>
+        <source>Remove this condition</source>
+        <translation>Diese Bedingung entfernen</translation>
     </message>
 </context>
 <context>
@@ -4778,8 +4770,8 @@ Lizenz: %3</translation>
         <translation>Wie sicher der Import ist, in Prozent</translation>
     </message>
     <message>
-        <source>Lets a result that is in doubt be imported</source>
-        <translation>Lässt ein zweifelhaftes Ergebnis importieren</translation>
+        <source>Allows an uncertain result to be imported</source>
+        <translation>Erlaubt den Import eines unsicheren Ergebnisses</translation>
     </message>
     <message>
         <source>Plot frame</source>
@@ -4810,8 +4802,8 @@ Lizenz: %3</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>because: %1</source>
-        <translation>denn: %1</translation>
+        <source>reason: %1</source>
+        <translation>Grund: %1</translation>
     </message>
     <message>
         <source>Last valid result (%1 % confidence)</source>
@@ -4841,8 +4833,8 @@ Lizenz: %3</translation>
         <translation>&amp;Nächster stabiler Taster</translation>
     </message>
     <message>
-        <source>Change the button as little as the device needs: damping first, then slopes; a peak keeps its force. One step that can be undone.</source>
-        <translation>Den Taster so wenig ändern, wie das Gerät es braucht: zuerst Dämpfung, dann Steigungen; ein Gipfel behält seine Kraft. Ein Schritt, der sich rückgängig machen lässt.</translation>
+        <source>Change the button only as much as the device requires: damping first, then slopes; peaks keep their force. Can be undone in one step.</source>
+        <translation>Den Taster nur so weit ändern, wie das Gerät es erfordert: zuerst Dämpfung, dann Steigungen; Spitzen behalten ihre Kraft. Lässt sich in einem Schritt rückgängig machen.</translation>
     </message>
     <message>
         <source>No force device. Choose one under Setup; simulated ones need no hardware.</source>
@@ -4853,8 +4845,8 @@ Lizenz: %3</translation>
         <translation>Simuliert; nichts wird bewegt. Schalten Sie ein, um es zu beobachten.</translation>
     </message>
     <message>
-        <source>Off: the device is without force.</source>
-        <translation>Aus: Das Gerät ist ohne Kraft.</translation>
+        <source>Off: the device applies no force.</source>
+        <translation>Aus: Das Gerät übt keine Kraft aus.</translation>
     </message>
     <message>
         <source>Opening the force device…</source>
@@ -4889,23 +4881,23 @@ Lizenz: %3</translation>
         <translation>Geändert: %1</translation>
     </message>
     <message>
-        <source>Slopes against what the device bears, drawn over the graph</source>
-        <translation>Steigungen gegen das, was das Gerät trägt, über den Graphen gezeichnet</translation>
+        <source>Show in the graph which slopes the device can stably render</source>
+        <translation>Im Graphen zeigen, welche Steigungen das Gerät stabil darstellen kann</translation>
     </message>
     <message>
-        <source>The force device is disconnected and without force. Resumes when reconnected.</source>
-        <translation>Das Kraftgerät ist getrennt und ohne Kraft. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
+        <source>The force device is disconnected and applies no force. Resumes when reconnected.</source>
+        <translation>Das Kraftgerät ist getrennt und übt keine Kraft aus. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::ForceMeter</name>
     <message>
-        <source>Force, energy and deadlines</source>
-        <translation>Kraft, Energie und Fristen</translation>
+        <source>Force, energy and timing</source>
+        <translation>Kraft, Energie und Zeitverhalten</translation>
     </message>
     <message>
-        <source>&lt;p&gt;&lt;b&gt;Force&lt;/b&gt; that the device is asked for, of what it may give.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energy&lt;/b&gt; that the finger has put into the button since its rest, and how much of it came back. A balance below 0 means that the button gave more than it held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;On time&lt;/b&gt;: steps of the loop that began within 0.1 ms of their time, and the latest one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Kraft&lt;/b&gt;, die vom Gerät verlangt wird, von der, die es geben kann.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energie&lt;/b&gt;, die der Finger seit der Ruhe in den Taster gesteckt hat, und wie viel davon zurückkam. Eine Bilanz unter 0 heißt, dass der Taster mehr gab, als er hielt.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Pünktlich&lt;/b&gt;: Schritte der Schleife, die innerhalb von 0,1 ms ihrer Zeit begannen, und der späteste.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;&lt;b&gt;Force&lt;/b&gt;: the commanded force, and the largest one allowed.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energy&lt;/b&gt;: energy that the finger has put into the button since rest, and how much of it was returned. A balance below 0 means that the button returned more than it stored.&lt;/p&gt;&lt;p&gt;&lt;b&gt;On time&lt;/b&gt;: share of control steps that began within 0.1 ms of their time, and the latest one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kraft&lt;/b&gt;: die Sollkraft und die größte zulässige Kraft.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energie&lt;/b&gt;: Energie, die der Finger seit der Ruhelage in den Taster eingebracht hat, und wie viel davon zurückkam. Eine Bilanz unter 0 heißt, dass der Taster mehr abgab, als er gespeichert hatte.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Pünktlich&lt;/b&gt;: Anteil der Regelschritte, die innerhalb von 0,1 ms ihres Zeitpunkts begannen, und der späteste.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Force</source>
@@ -4940,7 +4932,7 @@ Lizenz: %3</translation>
         <translation>%1 mJ, %2 von %3 zurück</translation>
     </message>
     <message>
-        <source>%1 %, worst %2 ms</source>
+        <source>%1 %, latest %2 ms</source>
         <translation>%1 %, spätestens %2 ms</translation>
     </message>
     <message>
@@ -4951,23 +4943,23 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::ForceSession</name>
     <message>
-        <source>Nothing has to change: the device bears every slope of this button.</source>
-        <translation>Nichts muss sich ändern: Das Gerät trägt jede Steigung dieses Tasters.</translation>
+        <source>No change is needed: the device can render every slope of this button.</source>
+        <translation>Keine Änderung nötig: Das Gerät kann jede Steigung dieses Tasters darstellen.</translation>
     </message>
     <message>
         <source>Nearest stable button</source>
         <translation>Nächster stabiler Taster</translation>
     </message>
     <message>
-        <source>Changed to the nearest stable button; undo takes it back.</source>
-        <translation>Zum nächsten stabilen Taster geändert; Rückgängig nimmt es zurück.</translation>
+        <source>Changed to the nearest stable button. Use Undo to go back.</source>
+        <translation>Zum nächsten stabilen Taster geändert. „Rückgängig“ nimmt die Änderung zurück.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::ForceSetup</name>
     <message>
-        <source>What pushes back: a simulated device with a simulated finger, or a real one</source>
-        <translation>Was zurückdrückt: ein simuliertes Gerät mit einem simulierten Finger, oder ein echtes</translation>
+        <source>Device that renders the force: a simulated one with a simulated finger, or a real one</source>
+        <translation>Gerät, das die Kraft darstellt: ein simuliertes mit einem simulierten Finger oder ein echtes</translation>
     </message>
     <message>
         <source>none</source>
@@ -5006,7 +4998,7 @@ Lizenz: %3</translation>
         <translation>Serieller Anschluss des Kraftgeräts, zum Beispiel /dev/ttyACM0</translation>
     </message>
     <message>
-        <source>P&amp;ort:</source>
+        <source>&amp;Port:</source>
         <translation>A&amp;nschluss:</translation>
     </message>
     <message>
@@ -5066,20 +5058,20 @@ Lizenz: %3</translation>
         <translation>Weg je &amp;Umdrehung:</translation>
     </message>
     <message>
-        <source>The microcontroller runs the law at its own rate</source>
-        <translation>Der Mikrocontroller rechnet das Gesetz in seinem eigenen Takt</translation>
+        <source>Compute the force on the microcontroller, at its own rate</source>
+        <translation>Die Kraft auf dem Mikrocontroller berechnen, in seinem eigenen Takt</translation>
     </message>
     <message>
         <source>The force table is uploaded: there is no USB delay between position and force</source>
         <translation>Die Krafttabelle wird hochgeladen: Zwischen Ort und Kraft liegt keine USB-Verzögerung</translation>
     </message>
     <message>
-        <source>Damp where the button gives more than it took</source>
-        <translation>Dämpfen, wo der Taster mehr gab, als er nahm</translation>
+        <source>Add damping where the button returns more energy than it took up</source>
+        <translation>Dämpfen, wo der Taster mehr Energie abgibt, als er aufnahm</translation>
     </message>
     <message>
-        <source>Passivity controller: steadier on a device that shakes, duller where a button snaps</source>
-        <translation>Passivitätsregler: ruhiger auf einem Gerät, das zittert, stumpfer, wo ein Taster schnappt</translation>
+        <source>Passivity controller: steadier on a device that vibrates, but less crisp where a button snaps</source>
+        <translation>Passivitätsregler: ruhiger auf einem Gerät, das schwingt, aber weniger ausgeprägt, wo ein Taster schnappt</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5105,8 +5097,8 @@ Lizenz: %3</translation>
         <translation>Vorhergesagte Verwechslung</translation>
     </message>
     <message>
-        <source>Forecast by a model of touch from the vibration of both; no person was asked. Its limits: predicted-confusion in the documents.</source>
-        <translation>Vorhersage eines Modells des Tastsinns aus der Schwingung beider; niemand wurde gefragt. Seine Grenzen: predicted-confusion in den Dokumenten.</translation>
+        <source>Predicted by a model of touch from the vibration of both buttons, without participants. Its limits: docs/reference/predicted-confusion.md.</source>
+        <translation>Vorhersage eines Modells des Tastsinns aus der Vibration beider Taster, ohne Versuchspersonen. Seine Grenzen: docs/reference/predicted-confusion.md.</translation>
     </message>
     <message>
         <source>Make &amp;distinguishable…</source>
@@ -5117,23 +5109,23 @@ Lizenz: %3</translation>
         <translation>Die kleinste Änderung von Taster A suchen, die Menschen bemerken</translation>
     </message>
     <message>
-        <source>Looking…</source>
+        <source>Searching…</source>
         <translation>Es wird gesucht …</translation>
     </message>
     <message>
-        <source>No single change of snap, travel or force by up to a factor 4 is sure to help</source>
-        <translation>Keine einzelne Änderung von Snap, Weg oder Kraft bis zum Faktor 4 hilft sicher</translation>
+        <source>No single change of snap ratio, travel or force by up to a factor of 4 is certain to make them distinguishable</source>
+        <translation>Keine einzelne Änderung von Schnappverhältnis, Weg oder Kraft bis zum Faktor 4 macht sie sicher unterscheidbar</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::ForecastMatrix</name>
     <message>
-        <source>Who will be taken for whom?</source>
-        <translation>Wer wird mit wem verwechselt?</translation>
+        <source>Predicted confusion of the open buttons</source>
+        <translation>Vorhergesagte Verwechslungen der offenen Taster</translation>
     </message>
     <message>
-        <source>Predicted errors in 90 of every pair</source>
-        <translation>Vorhergesagte Fehler in 90 für jedes Paar</translation>
+        <source>Predicted errors in 90 trials for every pair</source>
+        <translation>Vorhergesagte Fehler in 90 Durchgängen für jedes Paar</translation>
     </message>
     <message>
         <source>%v of %m</source>
@@ -5152,8 +5144,8 @@ Lizenz: %3</translation>
         <translation>Öffnen Sie zwei Taster oder mehr, um sie zu vergleichen.</translation>
     </message>
     <message>
-        <source>Errors in 90 that people make when they compare two buttons by feel; 45 is guessing. At most 9: they tell them apart; bold where that is not sure. Double click: compare the two.</source>
-        <translation>Fehler in 90, die Menschen machen, wenn sie zwei Taster nach Gefühl vergleichen; 45 ist geraten. Höchstens 9: Sie unterscheiden sie; fett, wo das nicht sicher ist. Doppelklick: die beiden vergleichen.</translation>
+        <source>Predicted errors in 90 trials when people compare two buttons by feel; 45 means guessing. With at most 9, people can tell them apart; bold where that is not certain. Double-click to compare the two.</source>
+        <translation>Vorhergesagte Fehler in 90 Durchgängen, wenn Menschen zwei Taster nach Gefühl vergleichen; 45 bedeutet Raten. Bei höchstens 9 lassen sie sich unterscheiden; fett, wo das nicht sicher ist. Ein Doppelklick vergleicht die beiden.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -5252,8 +5244,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::GraphExportDialog</name>
     <message>
-        <source>What comes out</source>
-        <translation>Was herauskommt</translation>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Export the graph</source>
@@ -5264,8 +5256,8 @@ Lizenz: %3</translation>
         <translation>&amp;Exportieren …</translation>
     </message>
     <message>
-        <source>Choose where the file goes, and write it</source>
-        <translation>Wählen, wohin die Datei kommt, und sie schreiben</translation>
+        <source>Choose a location and write the file</source>
+        <translation>Speicherort wählen und die Datei schreiben</translation>
     </message>
     <message>
         <source>Purpose of the graph</source>
@@ -5277,7 +5269,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Paper</source>
-        <translation>Aufsatz</translation>
+        <translation>Fachartikel</translation>
     </message>
     <message>
         <source>Slide</source>
@@ -5348,12 +5340,12 @@ Lizenz: %3</translation>
         <translation>Schrift&amp;größe:</translation>
     </message>
     <message>
-        <source>Language of the words</source>
-        <translation>Sprache der Wörter</translation>
+        <source>Language of the labels</source>
+        <translation>Sprache der Beschriftungen</translation>
     </message>
     <message>
-        <source>Decimal sign</source>
-        <translation>Dezimalzeichen</translation>
+        <source>Decimal separator</source>
+        <translation>Dezimaltrennzeichen</translation>
     </message>
     <message>
         <source>Point (1.5)</source>
@@ -5380,16 +5372,16 @@ Lizenz: %3</translation>
         <translation>keine</translation>
     </message>
     <message>
-        <source>&amp;Language:</source>
+        <source>Lan&amp;guage:</source>
         <translation>S&amp;prache:</translation>
     </message>
     <message>
-        <source>&amp;Decimal sign:</source>
-        <translation>&amp;Dezimalzeichen:</translation>
+        <source>&amp;Decimal separator:</source>
+        <translation>&amp;Dezimaltrennzeichen:</translation>
     </message>
     <message>
         <source>D&amp;isplacement in:</source>
-        <translation>W&amp;eg in:</translation>
+        <translation>&amp;Weg in:</translation>
     </message>
     <message>
         <source>Fo&amp;rce in:</source>
@@ -5416,20 +5408,20 @@ Lizenz: %3</translation>
         <translation>Wo die Kraftachse endet</translation>
     </message>
     <message>
-        <source>Dis&amp;placement from:</source>
-        <translation>Weg &amp;von:</translation>
+        <source>Displ&amp;acement from:</source>
+        <translation>Weg vo&amp;n:</translation>
     </message>
     <message>
         <source>to:</source>
         <translation>bis:</translation>
     </message>
     <message>
-        <source>Forc&amp;e from:</source>
+        <source>Force fro&amp;m:</source>
         <translation>Kraft v&amp;on:</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation>selbsttätig</translation>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>&amp;Black and white</source>
@@ -5441,7 +5433,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>&amp;Label points</source>
-        <translation>Punkte &amp;beschriften</translation>
+        <translation>P&amp;unkte beschriften</translation>
     </message>
     <message>
         <source>Tactile points, operating and reset point and bottom-out, with their values</source>
@@ -5456,12 +5448,12 @@ Lizenz: %3</translation>
         <translation>Vorlaufweg und Differenzweg</translation>
     </message>
     <message>
-        <source>Tolerance band: this force above and below the press</source>
-        <translation>Toleranzband: diese Kraft über und unter der Druckkurve</translation>
+        <source>Tolerance band, as a share of the press force</source>
+        <translation>Toleranzband als Anteil der Kraft des Hinwegs</translation>
     </message>
     <message>
-        <source>A band about the press so much force above and below it</source>
-        <translation>Ein Band um den Hinweg, um so viel Kraft darüber und darunter</translation>
+        <source>Tolerance band, as a force above and below the press</source>
+        <translation>Toleranzband als Kraft über und unter dem Hinweg</translation>
     </message>
     <message>
         <source>&amp;Tolerance ±:</source>
@@ -5472,8 +5464,8 @@ Lizenz: %3</translation>
         <translation>oder ± Kraft:</translation>
     </message>
     <message>
-        <source>The font is too large for this size: there is no room for the curves.</source>
-        <translation>Die Schrift ist zu groß für dieses Maß: Für die Kurven bleibt kein Platz.</translation>
+        <source>The font is too large for this size: there is no room for the curves. Choose a smaller font or a larger graph.</source>
+        <translation>Die Schrift ist zu groß für dieses Maß: Für die Kurven bleibt kein Platz. Wählen Sie eine kleinere Schrift oder einen größeren Graphen.</translation>
     </message>
     <message>
         <source>An axis must begin below its end. Type a smaller start or a larger end.</source>
@@ -5527,12 +5519,12 @@ Lizenz: %3</translation>
         <translation>&amp;Sprung hinzufügen</translation>
     </message>
     <message>
-        <source>Press where the jump begins, pull its valley into place</source>
-        <translation>Drücken, wo der Sprung beginnt, und sein Tal an seinen Platz ziehen</translation>
+        <source>Press where the jump begins, then drag its valley into place</source>
+        <translation>Maustaste drücken, wo der Sprung beginnt, und sein Tal an die gewünschte Stelle ziehen</translation>
     </message>
     <message>
         <source>&amp;Pan</source>
-        <translation>&amp;Ansicht schieben</translation>
+        <translation>Ansicht verschie&amp;ben</translation>
     </message>
     <message>
         <source>Drag the view; the middle button does it in every tool</source>
@@ -5567,8 +5559,8 @@ Lizenz: %3</translation>
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Copies the selected stretch as text, or the whole button</source>
-        <translation>Kopiert das gewählte Stück als Text, oder den ganzen Taster</translation>
+        <source>Copies the selected part of the curve as text, or the whole button</source>
+        <translation>Kopiert den gewählten Teil der Kurve als Text, oder den ganzen Taster</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
@@ -5579,16 +5571,16 @@ Lizenz: %3</translation>
         <translation>Wählt alle Knoten, Schalt- und Rückschaltpunkt</translation>
     </message>
     <message>
-        <source>Align at one &amp;force</source>
-        <translation>Auf eine &amp;Kraft ausrichten</translation>
+        <source>Align to the same &amp;force</source>
+        <translation>Auf gleiche &amp;Kraft ausrichten</translation>
     </message>
     <message>
         <source>Brings the selected knots to the force of the last one</source>
         <translation>Bringt die gewählten Knoten auf die Kraft des letzten</translation>
     </message>
     <message>
-        <source>Align at one &amp;displacement</source>
-        <translation>Auf einen &amp;Weg ausrichten</translation>
+        <source>Align to the same &amp;displacement</source>
+        <translation>Auf gleichen &amp;Weg ausrichten</translation>
     </message>
     <message>
         <source>Brings the selected knots to the displacement of the last one</source>
@@ -5611,12 +5603,12 @@ Lizenz: %3</translation>
         <translation>Setzt die gewählten Knoten einer Kurve in gleiche Kraftstufen</translation>
     </message>
     <message>
-        <source>Copied the selected stretch</source>
-        <translation>Das gewählte Stück wurde kopiert</translation>
+        <source>Copied the selected part of the curve</source>
+        <translation>Der gewählte Teil der Kurve wurde kopiert</translation>
     </message>
     <message>
-        <source>Paste a stretch</source>
-        <translation>Ein Stück einfügen</translation>
+        <source>Paste part of a curve</source>
+        <translation>Teil einer Kurve einfügen</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -5639,48 +5631,48 @@ Lizenz: %3</translation>
         <translation>Ver&amp;kleinern</translation>
     </message>
     <message>
-        <source>Shows more of the plane</source>
-        <translation>Zeigt mehr von der Ebene</translation>
+        <source>Shows a larger part of the graph</source>
+        <translation>Zeigt einen größeren Teil des Graphen</translation>
     </message>
     <message>
         <source>Displacement over &amp;force</source>
         <translation>Weg über &amp;Kraft</translation>
     </message>
     <message>
-        <source>The graph the other way round, jumps as vertical lines</source>
-        <translation>Der Graph andersherum, Sprünge als senkrechte Linien</translation>
+        <source>Displacement plotted over force; jumps appear as vertical lines</source>
+        <translation>Weg über der Kraft aufgetragen; Sprünge erscheinen als senkrechte Linien</translation>
     </message>
     <message>
         <source>&amp;Damping</source>
         <translation>&amp;Dämpfung</translation>
     </message>
     <message>
-        <source>b(x), where the button has it</source>
-        <translation>b(x), wo der Taster sie hat</translation>
+        <source>Damping b(x) over displacement, if the button has damping</source>
+        <translation>Dämpfung b(x) über dem Weg, falls der Taster Dämpfung hat</translation>
     </message>
     <message>
         <source>&amp;Traced points and residuals</source>
         <translation>Abgelesene &amp;Punkte und Abweichungen</translation>
     </message>
     <message>
-        <source>The traced points, and how far the curve misses them, ten times enlarged</source>
-        <translation>Die abgelesenen Punkte, und wie weit die Kurve sie verfehlt, zehnfach vergrößert</translation>
+        <source>The traced points and the deviation of the curve from them, enlarged ten times</source>
+        <translation>Die abgelesenen Punkte und die Abweichung der Kurve von ihnen, zehnfach vergrößert</translation>
     </message>
     <message>
         <source>&amp;Magnifier</source>
         <translation>&amp;Lupe</translation>
     </message>
     <message>
-        <source>Five times as large, while something is dragged</source>
-        <translation>Fünffach, während etwas gezogen wird</translation>
+        <source>Magnifies the graph five times while you drag</source>
+        <translation>Vergrößert den Graphen fünffach, während Sie ziehen</translation>
     </message>
     <message>
         <source>&amp;Knots</source>
         <translation>K&amp;noten</translation>
     </message>
     <message>
-        <source>Knots and turns; without them the picture is plain</source>
-        <translation>Knoten und Umkehrpunkte; ohne sie ist das Bild schlicht</translation>
+        <source>Show knots, valleys and peaks on the curves</source>
+        <translation>Knoten, Täler und Spitzen auf den Kurven zeigen</translation>
     </message>
     <message>
         <source>Snap to &amp;grid</source>
@@ -5851,7 +5843,7 @@ Lizenz: %3</translation>
         <translation>Teilstriche anklicken und ihre Werte eingeben</translation>
     </message>
     <message>
-        <source>Frame</source>
+        <source>Plot frame</source>
         <translation>Rahmen</translation>
     </message>
     <message>
@@ -5860,11 +5852,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Press curve</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>Click the press curve</source>
-        <translation>Kurve des Drückens anklicken</translation>
+        <translation>Hinwegkurve anklicken</translation>
     </message>
     <message>
         <source>Release curve</source>
@@ -5872,23 +5864,23 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Click the release curve</source>
-        <translation>Kurve des Rückwegs anklicken</translation>
+        <translation>Rückwegkurve anklicken</translation>
     </message>
     <message>
         <source>Draw press</source>
-        <translation>Hinweg ziehen</translation>
+        <translation>Hinweg zeichnen</translation>
     </message>
     <message>
         <source>Click points along the press curve, or draw along it</source>
-        <translation>Punkte entlang der Kurve des Drückens klicken, oder an ihr entlang zeichnen</translation>
+        <translation>Punkte entlang der Hinwegkurve klicken, oder an ihr entlang zeichnen</translation>
     </message>
     <message>
         <source>Draw release</source>
-        <translation>Rückweg ziehen</translation>
+        <translation>Rückweg zeichnen</translation>
     </message>
     <message>
         <source>Click points along the release curve, or draw along it</source>
-        <translation>Punkte entlang der Kurve des Rückwegs klicken, oder an ihr entlang zeichnen</translation>
+        <translation>Punkte entlang der Rückwegkurve klicken, oder an ihr entlang zeichnen</translation>
     </message>
     <message>
         <source>Mask</source>
@@ -5928,7 +5920,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation>Zurück</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Undo the last correction</source>
@@ -5936,7 +5928,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation>Wieder</translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Redo the correction</source>
@@ -5960,7 +5952,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>In</source>
-        <translation>Größer</translation>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -5968,7 +5960,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Out</source>
-        <translation>Kleiner</translation>
+        <translation>Verkleinern</translation>
     </message>
     <message>
         <source>Zoom out</source>
@@ -5999,8 +5991,8 @@ Lizenz: %3</translation>
         <translation>Qualität des Imports</translation>
     </message>
     <message>
-        <source>How carefully the graph is read: the work of an import and the usual distance of the curve from the printed one, as measured on drawn graphs (docs/measurements/trade.md). Corrections stay when it changes.</source>
-        <translation>Wie sorgfältig der Graph gelesen wird: die Arbeit eines Imports und der übliche Abstand der Kurve von der gedruckten, gemessen an gezeichneten Graphen (docs/measurements/trade.md). Berichtigungen bleiben, wenn sie sich ändert.</translation>
+        <source>How carefully the graph is read: computing time and typical deviation from the printed curve, as measured on drawn graphs (docs/measurements/trade.md). Your corrections are kept when you change the quality.</source>
+        <translation>Wie sorgfältig der Graph gelesen wird: Rechenzeit und übliche Abweichung von der gedruckten Kurve, gemessen an gezeichneten Graphen (docs/measurements/trade.md). Ihre Berichtigungen bleiben erhalten, wenn Sie die Qualität ändern.</translation>
     </message>
     <message>
         <source>Graphs onl&amp;y</source>
@@ -6095,8 +6087,8 @@ Lizenz: %3</translation>
         <translation>Diesen Graphen als Taster importieren (Strg+Eingabe)</translation>
     </message>
     <message>
-        <source>Exchange strokes</source>
-        <translation>Kurven vertauschen</translation>
+        <source>Swap press and release</source>
+        <translation>Hinweg und Rückweg vertauschen</translation>
     </message>
     <message>
         <source>Open a datasheet or a force meter&apos;s log</source>
@@ -6130,11 +6122,11 @@ Lizenz: %3</translation>
     <name>detent::editor::KeyFiguresModel</name>
     <message>
         <source>Force at the start of the press; with a preload, the preload.</source>
-        <translation>Kraft am Anfang des Drucks; mit Vorspannung die Vorspannung.</translation>
+        <translation>Kraft am Anfang des Hinwegs; mit Vorspannung die Vorspannkraft.</translation>
     </message>
     <message>
         <source>Force of the press at the operating point; keyboards call it actuation force.</source>
-        <translation>Kraft des Drucks am Schaltpunkt; bei Tastaturen Betätigungskraft.</translation>
+        <translation>Kraft des Hinwegs am Schaltpunkt; bei Tastaturen auch Auslösekraft genannt.</translation>
     </message>
     <message>
         <source>Force of the tactile point with the largest drop after it.</source>
@@ -6146,15 +6138,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Lowest force between the peak and the next tactile point, or the end of the press.</source>
-        <translation>Kleinste Kraft zwischen der Spitze und dem nächsten Druckpunkt oder dem Ende des Drucks.</translation>
+        <translation>Kleinste Kraft zwischen der Spitze und dem nächsten Druckpunkt oder dem Ende des Hinwegs.</translation>
     </message>
     <message>
         <source>Displacement of the lowest force after the peak.</source>
         <translation>Weg der kleinsten Kraft nach der Spitze.</translation>
     </message>
     <message>
-        <source>Tactile drop over peak force; also tactile or click ratio.</source>
-        <translation>Kraftabfall durch Spitzenkraft; auch Click Ratio.</translation>
+        <source>Tactile drop divided by peak force; also called tactile ratio or click ratio.</source>
+        <translation>Kraftabfall geteilt durch Spitzenkraft; auch Click Ratio genannt.</translation>
     </message>
     <message>
         <source>Mean slope from the start to the peak; without a peak, to the bottom-out.</source>
@@ -6170,19 +6162,19 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Displacement at which the contact opens on the release.</source>
-        <translation>Weg, bei dem der Kontakt beim Loslassen öffnet.</translation>
+        <translation>Weg, bei dem der Kontakt auf dem Rückweg öffnet.</translation>
     </message>
     <message>
         <source>Force of the release at the reset point (RF).</source>
         <translation>Kraft des Rückwegs am Rückschaltpunkt (RF).</translation>
     </message>
     <message>
-        <source>Operating point less reset point (MD).</source>
-        <translation>Schaltpunkt weniger Rückschaltpunkt (MD).</translation>
+        <source>Operating point minus reset point (MD).</source>
+        <translation>Schaltpunkt minus Rückschaltpunkt (MD).</translation>
     </message>
     <message>
         <source>From the operating point to the end of the press (OT).</source>
-        <translation>Vom Schaltpunkt bis zum Ende des Drucks (OT).</translation>
+        <translation>Vom Schaltpunkt bis zum Ende des Hinwegs (OT).</translation>
     </message>
     <message>
         <source>Force at the start of the bottom-out; without one, at the end of the travel.</source>
@@ -6194,15 +6186,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Force at the end of the press.</source>
-        <translation>Kraft am Ende des Drucks.</translation>
+        <translation>Kraft am Ende des Hinwegs.</translation>
     </message>
     <message>
-        <source>Area under the press.</source>
-        <translation>Fläche unter dem Druck.</translation>
+        <source>Area under the press curve.</source>
+        <translation>Fläche unter der Hinwegkurve.</translation>
     </message>
     <message>
         <source>Area between press and release: the energy lost in one actuation.</source>
-        <translation>Fläche zwischen Drücken und Rückweg: die Energie, die eine Betätigung kostet.</translation>
+        <translation>Fläche zwischen Hinweg und Rückweg: die Energie, die eine Betätigung kostet.</translation>
     </message>
     <message>
         <source>Set key figures</source>
@@ -6230,11 +6222,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>The button has no release curve. Add one with Edit &gt; Mirror press to release.</source>
-        <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Drücken zum Rückweg spiegeln hinzu.</translation>
+        <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Hinweg zum Rückweg spiegeln hinzu.</translation>
     </message>
     <message>
         <source>The press has no tactile point. Add one with Edit &gt; Add jump (Ctrl+Shift+J).</source>
-        <translation>Das Drücken hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
+        <translation>Der Hinweg hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
     </message>
     <message>
         <source>The curve is too short there for a slope or ratio.</source>
@@ -6246,7 +6238,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Displacement of the end of the press (TT).</source>
-        <translation>Weg am Ende des Drucks (TT).</translation>
+        <translation>Weg am Ende des Hinwegs (TT).</translation>
     </message>
     <message>
         <source>Peak force minus valley force; the drop the finger feels.</source>
@@ -6282,7 +6274,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation>Fest</translation>
+        <translation>Sperren</translation>
     </message>
 </context>
 <context>
@@ -6308,7 +6300,7 @@ Lizenz: %3</translation>
         <translation>Die Kurve auf die Zielwerte bringen</translation>
     </message>
     <message>
-        <source>Cance&amp;l</source>
+        <source>&amp;Cancel</source>
         <translation>A&amp;bbrechen</translation>
     </message>
     <message>
@@ -6337,12 +6329,12 @@ Lizenz: %3</translation>
         </translation>
     </message>
     <message>
-        <source>Align at one force</source>
-        <translation>Auf eine Kraft ausrichten</translation>
+        <source>Align to the same force</source>
+        <translation>Auf gleiche Kraft ausrichten</translation>
     </message>
     <message>
-        <source>Align at one displacement</source>
-        <translation>Auf einen Weg ausrichten</translation>
+        <source>Align to the same displacement</source>
+        <translation>Auf gleichen Weg ausrichten</translation>
     </message>
     <message>
         <source>Distribute over force</source>
@@ -6360,8 +6352,8 @@ Lizenz: %3</translation>
         </translation>
     </message>
     <message>
-        <source>There is no knot at this turn. Select a knot or a tactile point.</source>
-        <translation>An diesem Umkehrpunkt ist kein Knoten. Wählen Sie einen Knoten oder einen Druckpunkt.</translation>
+        <source>There is no knot at this valley or peak. Select a knot or a tactile point.</source>
+        <translation>An diesem Tal oder dieser Spitze ist kein Knoten. Wählen Sie einen Knoten oder einen Druckpunkt.</translation>
     </message>
     <message>
         <source>Select a knot to make it a corner or smooth.</source>
@@ -6380,8 +6372,8 @@ Lizenz: %3</translation>
         <translation>Der Punkt lässt sich wieder bewegen.</translation>
     </message>
     <message>
-        <source>Pinned: no edit moves this point until P is pressed on it again.</source>
-        <translation>Angeheftet: nichts bewegt diesen Punkt, bis auf ihm wieder P gedrückt wird.</translation>
+        <source>Locked: no edit moves this point until you press P on it again.</source>
+        <translation>Gesperrt: Keine Änderung bewegt diesen Punkt, bis Sie auf ihm wieder P drücken.</translation>
     </message>
     <message>
         <source>Unlock a point</source>
@@ -6399,8 +6391,8 @@ Lizenz: %3</translation>
         <translation>Ausgangspegel</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms, the line the highest peak (held for 1.5 s), the number the same.&lt;/p&gt;&lt;p&gt;LIM lights up while the limiter holds the level at its ceiling: lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms, die Linie die höchste Spitze (1,5 s gehalten), die Zahl ebenso.&lt;/p&gt;&lt;p&gt;LIM leuchtet, solange der Begrenzer den Pegel an der Decke hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms; the line and the number are the highest peak (held for 1.5 s).&lt;/p&gt;&lt;p&gt;LIM lights up while the limiter holds the level at its ceiling: lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms; die Linie und die Zahl sind die höchste Spitze (1,5 s gehalten).&lt;/p&gt;&lt;p&gt;LIM leuchtet, solange der Begrenzer den Pegel an seiner Obergrenze hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>silent</source>
@@ -6519,12 +6511,12 @@ Lizenz: %3</translation>
         <translation>Prüfungen</translation>
     </message>
     <message>
-        <source>Button B to exchange with</source>
-        <translation>Taster B zum Tauschen</translation>
+        <source>Button B, for comparison</source>
+        <translation>Taster B zum Vergleichen</translation>
     </message>
     <message>
-        <source>The second button (B): press it in exchange with the one shown</source>
-        <translation>Der zweite Taster (B): im Wechsel mit dem gezeigten zu drücken</translation>
+        <source>The second button (B), pressed alternately with the one shown</source>
+        <translation>Der zweite Taster (B), im Wechsel mit dem gezeigten zu drücken</translation>
     </message>
     <message>
         <source>Displacement and force under the mouse</source>
@@ -6564,15 +6556,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Copied the samples as CSV, in mm and N.</source>
-        <translation>Die Messwerte wurden als CSV kopiert, in mm und N.</translation>
+        <translation>Die Kurvenwerte wurden als CSV kopiert, in mm und N.</translation>
     </message>
     <message>
         <source>Printed %1.</source>
         <translation>%1 gedruckt.</translation>
     </message>
     <message>
-        <source>The printer took nothing. Choose another one, or print to a file.</source>
-        <translation>Der Drucker hat nichts angenommen. Wählen Sie einen anderen, oder drucken Sie in eine Datei.</translation>
+        <source>The printer did not accept the print job. Choose another one, or print to a file.</source>
+        <translation>Der Drucker hat den Auftrag nicht angenommen. Wählen Sie einen anderen, oder drucken Sie in eine Datei.</translation>
     </message>
     <message>
         <source>Rename the button</source>
@@ -6656,15 +6648,15 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>&amp;Samples (CSV)…</source>
-        <translation>&amp;Messwerte (CSV) …</translation>
+        <translation>Kurven&amp;werte (CSV) …</translation>
     </message>
     <message>
         <source>Write samples of the state shown, in mm and N</source>
-        <translation>Messwerte des gezeigten Zustands schreiben, in mm und N</translation>
+        <translation>Kurvenwerte des gezeigten Zustands schreiben, in mm und N</translation>
     </message>
     <message>
         <source>&amp;Vibration of a press (WAV)…</source>
-        <translation>&amp;Schwingung eines Drucks (WAV) …</translation>
+        <translation>&amp;Vibration einer Betätigung (WAV) …</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
@@ -6687,8 +6679,8 @@ Lizenz: %3</translation>
         <translation>&amp;Beenden</translation>
     </message>
     <message>
-        <source>Close everything</source>
-        <translation>Alles schließen</translation>
+        <source>Close all buttons and quit</source>
+        <translation>Alle Taster schließen und beenden</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -6699,7 +6691,7 @@ Lizenz: %3</translation>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Take the last step back</source>
+        <source>Undo the last step</source>
         <translation>Den letzten Schritt zurücknehmen</translation>
     </message>
     <message>
@@ -6707,15 +6699,15 @@ Lizenz: %3</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Do the step again</source>
-        <translation>Den Schritt noch einmal tun</translation>
+        <source>Redo the last undone step</source>
+        <translation>Den zuletzt zurückgenommenen Schritt wiederherstellen</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Import the picture or file in the clipboard, or put copied points or a copied button in</source>
+        <source>Import the picture or file on the clipboard, or paste copied points or a copied button</source>
         <translation>Das Bild oder die Datei in der Zwischenablage importieren, oder kopierte Punkte oder einen kopierten Taster einfügen</translation>
     </message>
     <message>
@@ -6740,7 +6732,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Copy samples of the state shown, in mm and N</source>
-        <translation>Messwerte des gezeigten Zustands kopieren, in mm und N</translation>
+        <translation>Kurvenwerte des gezeigten Zustands kopieren, in mm und N</translation>
     </message>
     <message>
         <source>Re&amp;name the button…</source>
@@ -6763,16 +6755,16 @@ Lizenz: %3</translation>
         <translation>&amp;Nächster Bereich</translation>
     </message>
     <message>
-        <source>Leave a table or list for the next panel</source>
-        <translation>Eine Tabelle oder Liste zum nächsten Bereich verlassen</translation>
+        <source>Move the focus to the next panel</source>
+        <translation>Zum nächsten Bereich wechseln</translation>
     </message>
     <message>
         <source>Pre&amp;vious panel</source>
         <translation>&amp;Voriger Bereich</translation>
     </message>
     <message>
-        <source>Back to the panel before</source>
-        <translation>Zurück zum vorigen Bereich</translation>
+        <source>Move the focus to the previous panel</source>
+        <translation>Zum vorigen Bereich wechseln</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -6871,40 +6863,40 @@ Lizenz: %3</translation>
         <translation>Über Detent</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;From a printed force graph to a button you can feel.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. After S. Kim and G. Lee, UIST 2013, and P. Shrestha.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;Vom gedruckten Kraftgraphen zum Taster, den man fühlen kann.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Nach S. Kim und G. Lee, UIST 2013, und P. Shrestha.&lt;/p&gt;</translation>
+        <source>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;From a printed force graph to a button you can feel.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Based on work by S. Kim and G. Lee, UIST 2013, and P. Shrestha.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;Vom gedruckten Kraftgraphen zum Taster, den man fühlen kann.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Beruht auf Arbeiten von S. Kim und G. Lee, UIST 2013, und P. Shrestha.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>&amp;Try a sample datasheet</source>
         <translation>Beispiel-Datenblatt aus&amp;probieren</translation>
     </message>
     <message>
-        <source>Import a sheet that comes with Detent, to see how it goes</source>
+        <source>Import a datasheet that comes with Detent, to see how it works</source>
         <translation>Ein mitgeliefertes Datenblatt importieren, um zu sehen, wie es geht</translation>
     </message>
     <message>
         <source>&amp;Keep the page in the file</source>
-        <translation>Seite in der Datei &amp;behalten</translation>
+        <translation>Seite in der Da&amp;tei behalten</translation>
     </message>
     <message>
-        <source>Save the part of the page around the graph with the button, for where the sheet is not at hand</source>
+        <source>Save the part of the page around the graph with the button, for when the datasheet is not at hand</source>
         <translation>Den Teil der Seite um den Graphen mit dem Taster speichern, falls das Datenblatt einmal nicht zur Hand ist</translation>
     </message>
     <message>
         <source>Export the vibration of a standard press (WAV, mono, 48 kHz)</source>
-        <translation>Schreiben, wie sich ein Normdruck anfühlt, der im gezeigten Zustand beginnt: mono, 48 kHz</translation>
+        <translation>Die Vibration einer Standardbetätigung exportieren (WAV, mono, 48 kHz)</translation>
     </message>
     <message>
         <source>For a &amp;device…</source>
         <translation>&amp;Für ein Gerät …</translation>
     </message>
     <message>
-        <source>Write a press for phones, headsets, driver chips, firmware and touchpads</source>
-        <translation>Einen Druck für Telefone, Headsets, Treiberbausteine, Firmware und Touchpads schreiben</translation>
+        <source>Export a press for phones, headsets, driver chips, firmware and touchpads</source>
+        <translation>Eine Betätigung für Telefone, Headsets, Treiberbausteine, Firmware und Touchpads exportieren</translation>
     </message>
     <message>
-        <source>S&amp;hare as a page…</source>
-        <translation>Als Seite &amp;teilen …</translation>
+        <source>S&amp;hare as web page…</source>
+        <translation>Als Webseite &amp;teilen …</translation>
     </message>
     <message>
         <source>Write a web page that anyone can open and press, with nothing else installed</source>
@@ -6912,34 +6904,34 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>&amp;Graph for datasheet, paper or slide…</source>
-        <translation>&amp;Graph für Datenblatt, Aufsatz oder Folie …</translation>
+        <translation>&amp;Graph für Datenblatt, Fachartikel oder Folie …</translation>
     </message>
     <message>
-        <source>Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit</source>
-        <translation>Den Graphen schreiben, wie er gedruckt wird: SVG, PDF oder PNG in jeder Größe, Sprache und Einheit</translation>
+        <source>Write the graph ready for print: SVG, PDF or PNG in any size, language and unit</source>
+        <translation>Den Graphen druckfertig schreiben: SVG, PDF oder PNG in jeder Größe, Sprache und Einheit</translation>
     </message>
     <message>
-        <source>Make a button on the way from one open button to another</source>
-        <translation>Einen Taster auf dem Weg von einem offenen Taster zu einem anderen machen</translation>
+        <source>Create a button between two open buttons</source>
+        <translation>Einen Taster zwischen zwei offenen Tastern erzeugen</translation>
     </message>
     <message>
-        <source>Make one button of several samples of it, and say how far they scatter</source>
-        <translation>Aus mehreren Exemplaren einen Taster machen und sagen, wie weit sie streuen</translation>
+        <source>Create the mean of several units of one button, and show their spread</source>
+        <translation>Aus mehreren Exemplaren einen mittleren Taster erzeugen und ihre Streuung zeigen</translation>
     </message>
     <message>
         <source>Samples with d&amp;ecimal commas (CSV)…</source>
-        <translation>Messwerte mit D&amp;ezimalkommas (CSV) …</translation>
+        <translation>Kurvenwerte mit D&amp;ezimalkommas (CSV) …</translation>
     </message>
     <message>
         <source>Data pac&amp;kage (Frictionless)…</source>
         <translation>Datenpa&amp;ket (Frictionless) …</translation>
     </message>
     <message>
-        <source>Write a folder of tables, curve and key figures, with a description of every column and its unit</source>
-        <translation>Einen Ordner mit Tabellen schreiben, Kurve und Kenngrößen, mit einer Beschreibung jeder Spalte und ihrer Einheit</translation>
+        <source>Write a folder of tables (curve and key figures), with a description of every column and its unit</source>
+        <translation>Einen Ordner mit Tabellen (Kurve und Kennzahlen) schreiben, mit einer Beschreibung jeder Spalte und ihrer Einheit</translation>
     </message>
     <message>
-        <source>P&amp;roject of WebPlotDigitizer…</source>
+        <source>WebPlotDigitizer p&amp;roject…</source>
         <translation>P&amp;rojekt für WebPlotDigitizer …</translation>
     </message>
     <message>
@@ -6948,7 +6940,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Write the same samples with semicolons between the fields, as spreadsheets with decimal commas read them</source>
-        <translation>Dieselben Messwerte mit Semikolons zwischen den Feldern schreiben, wie Tabellenprogramme mit Dezimalkomma sie lesen</translation>
+        <translation>Dieselben Kurvenwerte mit Semikolons zwischen den Feldern schreiben, wie Tabellenprogramme mit Dezimalkomma sie lesen</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -6987,8 +6979,8 @@ Lizenz: %3</translation>
         <translation>Tausende gemessener Schalter durchsehen: Tabelle, Karte, Kurven</translation>
     </message>
     <message>
-        <source>What &amp;feels like this?…</source>
-        <translation>Was &amp;fühlt sich so an? …</translation>
+        <source>&amp;Find similar switches…</source>
+        <translation>&amp;Ähnliche Schalter suchen …</translation>
     </message>
     <message>
         <source>List the measured switches nearest to this button</source>
@@ -6996,7 +6988,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>&amp;Average open buttons…</source>
-        <translation>&amp;Mittel der offenen Taster …</translation>
+        <translation>Mi&amp;ttel der offenen Taster …</translation>
     </message>
     <message>
         <source>Feel</source>
@@ -7027,16 +7019,16 @@ Lizenz: %3</translation>
         <translation>Kennzahlen als Tabelle kopiert.</translation>
     </message>
     <message>
-        <source>Write a picture of the graph, 2400 by 1600 pixels. The button is stored inside: Detent opens it again</source>
-        <translation>Schreibt ein Bild des Graphen, 2400 mal 1600 Pixel. Der Taster steckt darin: Detent öffnet ihn wieder</translation>
+        <source>Write a picture of the graph, 2400 by 1600 pixels. It contains the button, so that Detent can open it again</source>
+        <translation>Schreibt ein Bild des Graphen, 2400 mal 1600 Pixel. Es enthält den Taster, sodass Detent es wieder öffnen kann</translation>
     </message>
     <message>
-        <source>Samples at given t&amp;ravels (CSV)…</source>
-        <translation>Werte bei bestimmten We&amp;gen (CSV) …</translation>
+        <source>Samples &amp;at given travels (CSV)…</source>
+        <translation>Kurvenwerte &amp;an bestimmten Stellen (CSV) …</translation>
     </message>
     <message>
         <source>Write press and release at even steps of travel, or at the travels you type</source>
-        <translation>Schreibt Drücken und Rückweg in gleichen Wegschritten oder bei den eingegebenen Wegen</translation>
+        <translation>Schreibt Hinweg und Rückweg in gleichen Wegschritten oder bei den eingegebenen Wegen</translation>
     </message>
     <message>
         <source>Copy key fi&amp;gures</source>
@@ -7055,7 +7047,7 @@ Lizenz: %3</translation>
         <translation>&amp;Vergleichen</translation>
     </message>
     <message>
-        <source>Show buttons over each other, with their differences</source>
+        <source>Overlay buttons and show their differences</source>
         <translation>Zeigt Taster übereinander, mit ihren Unterschieden</translation>
     </message>
     <message>
@@ -7064,7 +7056,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Press the button, hear it and see its vibration</source>
-        <translation>Den Taster drücken, hören und seine Schwingung sehen</translation>
+        <translation>Den Taster drücken, hören und seine Vibration sehen</translation>
     </message>
     <message>
         <source>&amp;Blend two buttons…</source>
@@ -7091,8 +7083,8 @@ Lizenz: %3</translation>
         <translation>Dieser Taster, wie er &amp;jetzt ist</translation>
     </message>
     <message>
-        <source>%1, kept</source>
-        <translation>%1, behalten</translation>
+        <source>%1 (version)</source>
+        <translation>%1 (Version)</translation>
     </message>
     <message>
         <source>Import &amp;many files…</source>
@@ -7130,12 +7122,12 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::MarginOverlay</name>
     <message>
-        <source>Slopes that the force device bears</source>
-        <translation>Steigungen, die das Kraftgerät trägt</translation>
+        <source>Slopes that the force device can stably render</source>
+        <translation>Steigungen, die das Kraftgerät stabil darstellen kann</translation>
     </message>
     <message>
-        <source>%1, bears %2</source>
-        <translation>%1, trägt %2</translation>
+        <source>%1, device limit %2</source>
+        <translation>%1, Grenze des Geräts %2</translation>
     </message>
 </context>
 <context>
@@ -7171,12 +7163,12 @@ Lizenz: %3</translation>
     <name>detent::editor::MeasuredTable</name>
     <message>
         <source>%1
-Behind ± stands a standard error: of the meter&apos;s noise and steps, not of its calibration</source>
+The value after ± is the standard error from the meter&apos;s noise and resolution, without its calibration</source>
         <translation>%1
-Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts, nicht seiner Eichung</translation>
+Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messgeräts, ohne dessen Kalibrierung</translation>
     </message>
     <message>
-        <source>By the drop: linear below 5 gf, tactile above 8 gf, between</source>
+        <source>By the tactile drop: linear below 5 gf, tactile above 8 gf, otherwise intermediate</source>
         <translation>Nach dem Kraftabfall: linear unter 5 gf, taktil über 8 gf, sonst dazwischen</translation>
     </message>
     <message>
@@ -7184,19 +7176,19 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Art</translation>
     </message>
     <message>
-        <source>In lab noises, the difference of two laboratories on one switch; below 1 two records may be one switch</source>
-        <translation>In Laborabweichungen, dem Unterschied zweier Labors bei einem Schalter; unter 1 können zwei Aufzeichnungen ein Schalter sein</translation>
+        <source>In multiples of the difference between two laboratories on the same switch; below 1, two records may be of the same switch</source>
+        <translation>In Vielfachen des Unterschieds zweier Labore bei demselben Schalter; unter 1 können zwei Messungen von demselben Schalter stammen</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Forecast of the difference from the reference, for the nearest only</source>
-        <translation>Vorhersage des Unterschieds zum gesuchten, nur für die nächsten</translation>
+        <source>Predicted difference from the reference switch, for the nearest only</source>
+        <translation>Vorhergesagter Unterschied zum Referenzschalter, nur für die nächsten</translation>
     </message>
     <message>
-        <source>Forecast</source>
+        <source>Prediction</source>
         <translation>Vorhersage</translation>
     </message>
     <message>
@@ -7227,10 +7219,10 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
 <context>
     <name>detent::editor::MeasuredWindow</name>
     <message numerus="yes">
-        <source>Forces of %n of them may lie well off other laboratories&apos;.</source>
+        <source>Forces of %n of them may differ greatly from those of other laboratories.</source>
         <translation>
-            <numerusform>Die Kräfte von %n davon können weit neben denen anderer Labore liegen.</numerusform>
-            <numerusform>Die Kräfte von %n davon können weit neben denen anderer Labore liegen.</numerusform>
+            <numerusform>Die Kräfte von %n davon können stark von denen anderer Labore abweichen.</numerusform>
+            <numerusform>Die Kräfte von %n davon können stark von denen anderer Labore abweichen.</numerusform>
         </translation>
     </message>
     <message>
@@ -7250,16 +7242,16 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Mit dem Lesen aufhören; Gelesenes bleibt</translation>
     </message>
     <message>
-        <source>Refused files…</source>
+        <source>Rejected files…</source>
         <translation>Abgelehnte Dateien …</translation>
     </message>
     <message>
-        <source>Which files were not taken, and why</source>
-        <translation>Welche Dateien nicht genommen wurden, und warum</translation>
+        <source>Which files were rejected, and why</source>
+        <translation>Welche Dateien abgelehnt wurden, und warum</translation>
     </message>
     <message>
         <source>More than 1,500 key switches have been measured in public. Clone one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files), and add their folder. Detent ships none; each shows its author and licence.</source>
-        <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Klonen Sie eine dieser Sammlungen (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) oder nehmen Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien), und fügen Sie deren Ordner hinzu. Detent bringt keine mit: von wem sie sind und was man damit tun darf, steht bei jeder.</translation>
+        <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Klonen Sie eine dieser Sammlungen (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) oder verwenden Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien), und fügen Sie deren Ordner hinzu. Detent bringt keine mit; zu jeder werden Urheber und Lizenz angezeigt.</translation>
     </message>
     <message>
         <source>&amp;Add a folder…</source>
@@ -7294,16 +7286,16 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Ordner &amp;neu lesen</translation>
     </message>
     <message>
-        <source>Take in what changed; the rest is not read anew</source>
-        <translation>Aufnehmen, was sich geändert hat; der Rest wird nicht neu gelesen</translation>
+        <source>Read only files that have changed</source>
+        <translation>Nur geänderte Dateien neu lesen</translation>
     </message>
     <message>
-        <source>&amp;Datasheets too</source>
-        <translation>Auch &amp;Datenblätter</translation>
+        <source>Include &amp;datasheets</source>
+        <translation>&amp;Datenblätter einbeziehen</translation>
     </message>
     <message>
-        <source>Force graphs in PDF, SVG and pictures of the folders as well: some seconds for each page, once</source>
-        <translation>Auch Kraftdiagramme in PDF, SVG und Bildern der Ordner: einige Sekunden je Seite, einmal</translation>
+        <source>Also read force graphs from PDF, SVG and picture files in the folders: some seconds per page, once</source>
+        <translation>Auch Kraftgraphen aus PDF-, SVG- und Bilddateien der Ordner lesen: einmalig einige Sekunden je Seite</translation>
     </message>
     <message>
         <source>&amp;Open another library…</source>
@@ -7318,12 +7310,12 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Fühlt sich an wie</translation>
     </message>
     <message>
-        <source>Feels &amp;like:</source>
+        <source>Feels li&amp;ke:</source>
         <translation>Fühlt sich an &amp;wie:</translation>
     </message>
     <message>
-        <source>Click a dot or draw a rectangle to choose; with Ctrl to add; a double click shows all</source>
-        <translation>Einen Punkt anklicken oder ein Rechteck ziehen, um zu wählen; mit Strg dazu; ein Doppelklick zeigt alles</translation>
+        <source>Click a dot or draw a rectangle to select; hold Ctrl to add to the selection; double-click to show all</source>
+        <translation>Einen Punkt anklicken oder ein Rechteck ziehen, um auszuwählen; mit Strg zur Auswahl hinzufügen; ein Doppelklick zeigt alles</translation>
     </message>
     <message>
         <source>Map of the switches shown</source>
@@ -7342,59 +7334,59 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Senkrechte Achse der Karte</translation>
     </message>
     <message>
-        <source>Map: &amp;right</source>
-        <translation>Karte: &amp;rechts</translation>
+        <source>Map ho&amp;rizontally</source>
+        <translation>Karte waage&amp;recht</translation>
     </message>
     <message>
         <source>&amp;up</source>
-        <translation>&amp;oben</translation>
+        <translation>senkre&amp;cht</translation>
     </message>
     <message>
-        <source>What feels like &amp;this?</source>
-        <translation>Was fühlt sich &amp;so an?</translation>
+        <source>Find &amp;similar</source>
+        <translation>&amp;Ähnliche suchen</translation>
     </message>
     <message>
-        <source>Put those first that feel like the switch chosen</source>
-        <translation>Die zuerst, die sich wie der gewählte Schalter anfühlen</translation>
+        <source>List the switches most similar to the selected one first</source>
+        <translation>Die Schalter zuerst nennen, die dem gewählten am ähnlichsten sind</translation>
     </message>
     <message>
         <source>Open as a &amp;button</source>
         <translation>Als &amp;Taster öffnen</translation>
     </message>
     <message>
-        <source>Open the chosen switches as buttons, each in a tab</source>
-        <translation>Die gewählten Schalter als Taster öffnen, jeden in einem Reiter</translation>
+        <source>Open the selected switches as buttons, each in a new tab</source>
+        <translation>Die gewählten Schalter als Taster öffnen, jeden in einem neuen Reiter</translation>
     </message>
     <message>
         <source>&amp;Compare</source>
         <translation>&amp;Vergleichen</translation>
     </message>
     <message>
-        <source>Open two to six chosen switches and lay them over each other</source>
+        <source>Open two to six selected switches and overlay their curves</source>
         <translation>Zwei bis sechs gewählte Schalter öffnen und übereinanderlegen</translation>
     </message>
     <message>
         <source>Write a &amp;page…</source>
-        <translation>&amp;Seite schreiben …</translation>
+        <translation>Se&amp;ite schreiben …</translation>
     </message>
     <message>
         <source>Write the nearest as a page with plots that can be sent</source>
         <translation>Die nächsten als Seite mit Diagrammen schreiben, die man verschicken kann</translation>
     </message>
     <message>
-        <source>Curves of the switches chosen</source>
+        <source>Curves of the selected switches</source>
         <translation>Kurven der gewählten Schalter</translation>
     </message>
     <message>
-        <source>None of its folders is there. Add one.</source>
-        <translation>Keiner ihrer Ordner ist da. Fügen Sie einen hinzu.</translation>
+        <source>None of the folders of the library was found. Add one.</source>
+        <translation>Keiner der Ordner der Sammlung wurde gefunden. Fügen Sie einen hinzu.</translation>
     </message>
     <message>
-        <source>%1 files read (%2 switches), %3 unchanged, %4 refused, %5 gone.</source>
-        <translation>%1 Dateien gelesen (%2 Schalter), %3 unverändert, %4 abgelehnt, %5 verschwunden.</translation>
+        <source>%1 files read (%2 switches), %3 unchanged, %4 rejected, %5 removed.</source>
+        <translation>%1 Dateien gelesen (%2 Schalter), %3 unverändert, %4 abgelehnt, %5 entfernt.</translation>
     </message>
     <message>
-        <source>Refused files</source>
+        <source>Rejected files</source>
         <translation>Abgelehnte Dateien</translation>
     </message>
     <message>
@@ -7402,8 +7394,8 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Gemessene Schalter – %1</translation>
     </message>
     <message>
-        <source>nothing asked for</source>
-        <translation>nichts gesucht</translation>
+        <source>no reference</source>
+        <translation>keine Referenz</translation>
     </message>
     <message>
         <source>%L1 of %L2 switches</source>
@@ -7441,7 +7433,7 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Mischung</translation>
     </message>
     <message>
-        <source>The three force graphs over each other</source>
+        <source>The three force graphs, overlaid</source>
         <translation>Die drei Kraftgraphen übereinander</translation>
     </message>
     <message>
@@ -7465,12 +7457,12 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
         <translation>Öffnet den Taster dazwischen in einem neuen Reiter</translation>
     </message>
     <message>
-        <source>Against A: %1</source>
-        <translation>Gegen A: %1</translation>
+        <source>Compared with A: %1</source>
+        <translation>Gegenüber A: %1</translation>
     </message>
     <message>
-        <source>Against B: %1</source>
-        <translation>Gegen B: %1</translation>
+        <source>Compared with B: %1</source>
+        <translation>Gegenüber B: %1</translation>
     </message>
     <message>
         <source>Blend two buttons</source>
@@ -7492,9 +7484,9 @@ Hinter ± steht ein Standardfehler: des Rauschens und der Stufen des Messgeräts
     </message>
     <message>
         <source>%1
-Against the button shown: %2</source>
+Compared with the button shown: %2</source>
         <translation>%1
-Gegen den gezeigten Taster: %2</translation>
+Gegenüber dem gezeigten Taster: %2</translation>
     </message>
     <message>
         <source>%1, with unsaved changes</source>
@@ -7515,8 +7507,8 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>&amp;Sprung hinzufügen …</translation>
     </message>
     <message>
-        <source>A tactile point with its valley, by numbers</source>
-        <translation>Ein Druckpunkt mit seinem Tal, nach Zahlen</translation>
+        <source>Add a tactile point with its valley by entering numbers</source>
+        <translation>Einen Druckpunkt mit seinem Tal durch Eingabe von Zahlen hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Remove jump…</source>
@@ -7544,11 +7536,11 @@ Gegen den gezeigten Taster: %2</translation>
     </message>
     <message>
         <source>&amp;Mirror press to release…</source>
-        <translation>&amp;Drücken zum Rückweg spiegeln …</translation>
+        <translation>&amp;Hinweg zum Rückweg spiegeln …</translation>
     </message>
     <message>
         <source>A release curve from the press, with hysteresis</source>
-        <translation>Eine Kurve des Rückwegs aus dem Drücken, mit Hysterese</translation>
+        <translation>Eine Rückwegkurve aus dem Hinweg, mit Hysterese</translation>
     </message>
     <message>
         <source>Remove release &amp;curve…</source>
@@ -7579,8 +7571,8 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>Kurve neu an&amp;passen …</translation>
     </message>
     <message>
-        <source>Number of segments</source>
-        <translation>Anzahl der Abschnitte</translation>
+        <source>Number of pieces</source>
+        <translation>Anzahl der Stücke</translation>
     </message>
     <message>
         <source>&amp;Operating and reset point…</source>
@@ -7592,7 +7584,7 @@ Gegen den gezeigten Taster: %2</translation>
     </message>
     <message>
         <source>&amp;Damping…</source>
-        <translation>Däm&amp;pfung …</translation>
+        <translation>&amp;Dämpfung …</translation>
     </message>
     <message>
         <source>b(x) for force feedback, on or off</source>
@@ -7603,7 +7595,7 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>&amp;Zweistufiger Taster …</translation>
     </message>
     <message>
-        <source>Two tactile points, like a camera shutter</source>
+        <source>Two tactile points, as on a camera&apos;s shutter button</source>
         <translation>Zwei Druckpunkte, wie der Auslöser einer Kamera</translation>
     </message>
     <message>
@@ -7615,7 +7607,7 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>Zwei Zustände, die bei jeder Betätigung wechseln</translation>
     </message>
     <message>
-        <source>Add s&amp;tate…</source>
+        <source>Add stat&amp;e…</source>
         <translation>Z&amp;ustand hinzufügen …</translation>
     </message>
     <message>
@@ -7623,12 +7615,12 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>Ein zweiter Zustand, als Kopie von diesem</translation>
     </message>
     <message>
-        <source>Remove st&amp;ate…</source>
+        <source>Remo&amp;ve state…</source>
         <translation>Zustand ent&amp;fernen …</translation>
     </message>
     <message>
-        <source>The other state alone remains</source>
-        <translation>Der andere Zustand bleibt allein</translation>
+        <source>Only the other state remains</source>
+        <translation>Nur der andere Zustand bleibt</translation>
     </message>
     <message>
         <source>Reading the traced points from the page…</source>
@@ -7639,7 +7631,7 @@ Gegen den gezeigten Taster: %2</translation>
     <name>detent::editor::OriginMark</name>
     <message>
         <source>Reset</source>
-        <translation>Zurück</translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Restore the found value</source>
@@ -7659,21 +7651,21 @@ Gegen den gezeigten Taster: %2</translation>
     <message numerus="yes">
         <source>press of %n, ± 1 standard deviation</source>
         <translation>
-            <numerusform>Drücken von %n, ± 1 Standardabweichung</numerusform>
-            <numerusform>Drücken von %n, ± 1 Standardabweichung</numerusform>
+            <numerusform>Hinweg von %n, ± 1 Standardabweichung</numerusform>
+            <numerusform>Hinweg von %n, ± 1 Standardabweichung</numerusform>
         </translation>
     </message>
     <message>
-        <source>From first contact (%1)</source>
-        <translation>Ab erster Berührung (%1)</translation>
+        <source>Displacement from first contact (%1)</source>
+        <translation>Weg ab erster Berührung (%1)</translation>
     </message>
     <message>
         <source>Force (%1)</source>
         <translation>Kraft (%1)</translation>
     </message>
     <message>
-        <source>asked for</source>
-        <translation>gesucht</translation>
+        <source>reference</source>
+        <translation>Referenz</translation>
     </message>
 </context>
 <context>
@@ -7723,12 +7715,12 @@ Gegen den gezeigten Taster: %2</translation>
 <context>
     <name>detent::editor::PageReturn</name>
     <message>
-        <source>This is not the sheet the button was read from, %1.</source>
-        <translation>Das ist nicht das Blatt, von dem der Taster gelesen wurde, %1.</translation>
+        <source>This is not the datasheet that the button was read from, %1. Choose that file.</source>
+        <translation>Das ist nicht das Datenblatt, aus dem der Taster gelesen wurde, %1. Wählen Sie diese Datei.</translation>
     </message>
     <message>
-        <source>%1 is there, but the graph was not read again. %2</source>
-        <translation>%1 ist da, aber der Graph ließ sich nicht noch einmal lesen. %2</translation>
+        <source>%1 was found, but the graph could not be read again. %2</source>
+        <translation>%1 wurde gefunden, aber der Graph ließ sich nicht noch einmal lesen. %2</translation>
     </message>
 </context>
 <context>
@@ -7757,8 +7749,8 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>Seite mit Befunden</translation>
     </message>
     <message>
-        <source>The page with plot frame, axis ticks and curves as found. Tab walks through corners and ticks, arrow keys nudge, Enter types a value.</source>
-        <translation>Die Seite mit Rahmen, Teilstrichen und Kurven, wie gefunden. Tab geht durch Ecken und Teilstriche, Pfeiltasten schieben, die Eingabetaste öffnet einen Wert.</translation>
+        <source>The page with plot frame, axis ticks and curves as found. Tab moves through corners and ticks, arrow keys move the selected one, Enter opens its value.</source>
+        <translation>Die Seite mit Rahmen, Teilstrichen und Kurven, wie gefunden. Tab geht durch Ecken und Teilstriche, Pfeiltasten verschieben sie, die Eingabetaste öffnet einen Wert.</translation>
     </message>
     <message>
         <source>Value of the displacement tick</source>
@@ -7813,15 +7805,15 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Graph %1: Klicken Sie, um ihn zu importieren</translation>
     </message>
     <message>
-        <source>Not taken for a force graph: %1 Click to import it by hand.</source>
-        <translation>Nicht für einen Kraftgraphen gehalten: %1 Klicken Sie, um ihn von Hand zu importieren.</translation>
+        <source>Not recognised as a force graph: %1 Click to import it by hand.</source>
+        <translation>Nicht als Kraftgraph erkannt: %1 Klicken Sie, um ihn von Hand zu importieren.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::PanTool</name>
     <message>
-        <source>Drag the page. Everywhere else: with the middle button, or Space and drag.</source>
-        <translation>Ziehen Sie die Seite. Überall sonst: mit der mittleren Maustaste, oder mit der Leertaste und Ziehen.</translation>
+        <source>Drag the page. With any other tool, drag with the middle button, or hold Space and drag.</source>
+        <translation>Ziehen Sie die Seite. Mit jedem anderen Werkzeug: mit der mittleren Maustaste ziehen, oder mit gedrückter Leertaste.</translation>
     </message>
     <message>
         <source>Drag to move the view; the wheel zooms at the pointer.</source>
@@ -7832,19 +7824,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::editor::PipetteTool</name>
     <message>
         <source>Pick press curve</source>
-        <translation>Kurve des Drückens wählen</translation>
+        <translation>Hinwegkurve wählen</translation>
     </message>
     <message>
         <source>Pick release curve</source>
-        <translation>Kurve des Rückwegs wählen</translation>
+        <translation>Rückwegkurve wählen</translation>
     </message>
     <message>
         <source>Click the press curve.</source>
-        <translation>Klicken Sie die Kurve des Drückens an.</translation>
+        <translation>Klicken Sie die Hinwegkurve an.</translation>
     </message>
     <message>
         <source>Click the release curve.</source>
-        <translation>Klicken Sie die Kurve des Rückwegs an.</translation>
+        <translation>Klicken Sie die Rückwegkurve an.</translation>
     </message>
 </context>
 <context>
@@ -7894,7 +7886,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Farben:</translation>
     </message>
     <message>
-        <source>&amp;Language:</source>
+        <source>Lan&amp;guage:</source>
         <translation>&amp;Sprache:</translation>
     </message>
     <message>
@@ -7922,11 +7914,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Press and hold Space or Enter to press the button. Mouse, pen and touch press it too.</source>
-        <translation>Halten Sie Leertaste oder Eingabetaste, um den Taster zu drücken. Maus, Stift und Berührung drücken ihn auch.</translation>
+        <translation>Halten Sie die Leertaste oder die Eingabetaste gedrückt, um den Taster zu drücken. Maus, Stift und Berührung drücken ihn auch.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Press the button: hold &lt;b&gt;Space&lt;/b&gt; or &lt;b&gt;Enter&lt;/b&gt;, the mouse, a finger, or a pen (its pressure is the force).&lt;/p&gt;&lt;p&gt;The scales show depth and force; lamps light up for what is felt.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Drücken Sie den Taster: Halten Sie &lt;b&gt;Leertaste&lt;/b&gt; oder &lt;b&gt;Eingabetaste&lt;/b&gt;, die Maus, einen Finger oder einen Stift (sein Druck ist die Kraft).&lt;/p&gt;&lt;p&gt;Die Skalen zeigen Tiefe und Kraft; Lampen leuchten bei dem, was zu fühlen ist.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Press the button: hold &lt;b&gt;Space&lt;/b&gt; or &lt;b&gt;Enter&lt;/b&gt;, the mouse button, a finger, or a pen (its pressure is the force).&lt;/p&gt;&lt;p&gt;The scales show depth and force; indicators light up for what is felt.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Drücken Sie den Taster: Halten Sie die &lt;b&gt;Leertaste&lt;/b&gt;, die &lt;b&gt;Eingabetaste&lt;/b&gt;, die Maustaste, einen Finger oder einen Stift gedrückt (der Stiftdruck ist die Kraft).&lt;/p&gt;&lt;p&gt;Die Skalen zeigen Tiefe und Kraft; Anzeigen leuchten bei dem auf, was zu fühlen ist.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Open a button to press it.</source>
@@ -7938,7 +7930,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>drag down to press</source>
-        <translation>zum Drücken hinabziehen</translation>
+        <translation>zum Drücken nach unten ziehen</translation>
     </message>
     <message>
         <source>contact</source>
@@ -7949,7 +7941,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sprung</translation>
     </message>
     <message>
-        <source>bottom</source>
+        <source>bottom-out</source>
         <translation>Anschlag</translation>
     </message>
     <message>
@@ -7970,18 +7962,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>press stroke</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::PressStrip</name>
     <message>
         <source>Last presses</source>
-        <translation>Letzte Drücke</translation>
+        <translation>Letzte Betätigungen</translation>
     </message>
     <message>
         <source>&lt;p&gt;The last 3 seconds: depth of the finger (down is deeper), and what was felt.&lt;/p&gt;&lt;p&gt;Short ticks: grains of the slopes. Bars: jumps of the press and release stroke, bottom-out. The line above stands for the closed contact.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Körner der Steigungen. Balken: Sprünge des Drückens und des Rückwegs, Anschlag. Die Linie darüber steht für den geschlossenen Kontakt.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Grains der Steigungen. Balken: Sprünge des Hinwegs und des Rückwegs, Anschlag. Die Linie darüber steht für den geschlossenen Kontakt.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Live trace</source>
@@ -8003,7 +7995,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Detent ended unexpectedly and kept unsaved changes: %1</source>
-        <translation>Detent wurde unerwartet beendet und hat ungesicherte Änderungen bewahrt: %1</translation>
+        <translation>Detent wurde unerwartet beendet und hat nicht gespeicherte Änderungen bewahrt: %1</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -8014,12 +8006,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Verwerfen …</translation>
     </message>
     <message>
-        <source>Throw the unsaved changes away for good?</source>
-        <translation>Die nicht gespeicherten Änderungen endgültig wegwerfen?</translation>
+        <source>Discard the unsaved changes permanently?</source>
+        <translation>Die nicht gespeicherten Änderungen endgültig verwerfen?</translation>
     </message>
     <message>
-        <source>Throw away</source>
-        <translation>Wegwerfen</translation>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Recover unsaved changes</source>
@@ -8062,7 +8054,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1: %2 Stücke</translation>
     </message>
     <message>
-        <source>, off by %1 px</source>
+        <source>, deviation %1 px</source>
         <translation>, Abweichung %1 px</translation>
     </message>
     <message>
@@ -8077,7 +8069,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>Release</source>
@@ -8085,7 +8077,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>No release curve</source>
-        <translation>Keine Kurve des Rückwegs</translation>
+        <translation>Keine Rückwegkurve</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -8115,7 +8107,7 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::ScaleTool</name>
     <message>
-        <source>Click a tick of an axis and type the value that stands there; two per axis settle it. The corner where the axes meet sets both at once.</source>
+        <source>Click a tick of an axis and type the value printed there; two per axis define it. The corner where the axes meet sets both at once.</source>
         <translation>Klicken Sie einen Teilstrich einer Achse an und geben Sie den Wert ein, der dort steht; zwei je Achse legen sie fest. Die Ecke, in der die Achsen sich treffen, setzt beide zugleich.</translation>
     </message>
 </context>
@@ -8149,7 +8141,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Drag points and slope handles; drag the line to bend it between two points; drag on empty space to select several. Shift: one axis, Ctrl: no snapping, Escape: cancel.</source>
-        <translation>Punkte und Steigungsgriffe ziehen; an der Linie ziehen biegt sie zwischen zwei Punkten; auf freier Fläche ziehen wählt mehrere. Umschalt: eine Achse, Strg: kein Fangen, Esc: abbrechen.</translation>
+        <translation>Punkte und Steigungsgriffe ziehen; an der Linie ziehen biegt sie zwischen zwei Punkten; auf freier Fläche ziehen wählt mehrere. Umschalt: eine Achse, Strg: kein Einrasten, Esc: abbrechen.</translation>
     </message>
 </context>
 <context>
@@ -8164,7 +8156,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>press</source>
-        <translation>Drücken</translation>
+        <translation>Hinweg</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -8178,8 +8170,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::SheetController</name>
     <message>
-        <source>Discard the corrections of this sheet?</source>
-        <translation>Die Berichtigungen dieses Blatts verwerfen?</translation>
+        <source>Discard the corrections of this datasheet?</source>
+        <translation>Die Berichtigungen dieses Datenblatts verwerfen?</translation>
     </message>
     <message>
         <source>a pasted picture</source>
@@ -8198,20 +8190,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Find the sheet…</source>
-        <translation>Blatt suchen …</translation>
+        <source>Find datasheet…</source>
+        <translation>Datenblatt suchen …</translation>
     </message>
     <message>
-        <source>Find the sheet</source>
-        <translation>Das Blatt suchen</translation>
+        <source>Find datasheet</source>
+        <translation>Datenblatt suchen</translation>
     </message>
     <message>
         <source>Datasheet page of %1 restored.</source>
         <translation>Datenblattseite von %1 wiederhergestellt.</translation>
     </message>
     <message>
-        <source>The sheet this button was read from, %1, is neither beside its file nor where it was last.</source>
-        <translation>Das Blatt, von dem dieser Taster gelesen wurde, %1, ist weder neben seiner Datei noch dort, wo es zuletzt war.</translation>
+        <source>The datasheet that this button was read from, %1, is neither next to its file nor at its last location.</source>
+        <translation>Das Datenblatt, aus dem dieser Taster gelesen wurde, %1, liegt weder neben seiner Datei noch an seinem letzten Ort.</translation>
     </message>
     <message>
         <source>This page is too large to be kept in a button&apos;s file.</source>
@@ -8261,11 +8253,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::editor::SignalView</name>
     <message>
         <source>grain</source>
-        <translation>Korn</translation>
+        <translation>Grain</translation>
     </message>
     <message>
         <source>press jump</source>
-        <translation>Sprung beim Drücken</translation>
+        <translation>Sprung auf dem Hinweg</translation>
     </message>
     <message>
         <source>release jump</source>
@@ -8289,11 +8281,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Vibration of a press</source>
-        <translation>Schwingung eines Drucks</translation>
+        <translation>Vibration einer Betätigung</translation>
     </message>
     <message>
         <source>&lt;p&gt;Above: the vibration of a press, as a share of full scale. The grey line is the force (or depth) it was pressed with: a standard press (rise 120 ms, hold 80 ms, fall 100 ms; a quarter more force than the bottom-out needs) or your own last one.&lt;/p&gt;&lt;p&gt;Below: its spectrogram up to 1000 Hz; Hann window of 32 ms, levels from −60 to 0 dB of a full-scale sine.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Oben: die Schwingung eines Drucks, als Anteil der Vollaussteuerung. Die graue Linie ist die Kraft (oder Tiefe), mit der gedrückt wurde: ein Normdruck (120 ms hinab, 80 ms halten, 100 ms zurück; ein Viertel mehr Kraft, als der Anschlag braucht) oder Ihr eigener letzter.&lt;/p&gt;&lt;p&gt;Unten: ihr Spektrogramm bis 1000 Hz; Hann-Fenster von 32 ms, Pegel von −60 bis 0 dB eines voll ausgesteuerten Sinus.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Oben: die Vibration einer Betätigung, als Anteil der Vollaussteuerung. Die graue Linie ist die Kraft (oder Tiefe), mit der gedrückt wurde: eine Standardbetätigung (Anstieg 120 ms, Halten 80 ms, Abfall 100 ms; ein Viertel mehr Kraft, als der Anschlag braucht) oder Ihre eigene letzte.&lt;/p&gt;&lt;p&gt;Unten: ihr Spektrogramm bis 1000 Hz; Hann-Fenster von 32 ms, Pegel von −60 bis 0 dB eines voll ausgesteuerten Sinus.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Peak %1 percent of full scale, %2 milliseconds. %3</source>
@@ -8301,7 +8293,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>The vibration of a press is drawn here.</source>
-        <translation>Hier wird die Schwingung eines Drucks gezeichnet.</translation>
+        <translation>Hier wird die Vibration einer Betätigung gezeichnet.</translation>
     </message>
     <message>
         <source>; pressed at %1 mm/s</source>
@@ -8309,11 +8301,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Vibration of a standard press</source>
-        <translation>Schwingung eines Normdrucks</translation>
+        <translation>Vibration einer Standardbetätigung</translation>
     </message>
     <message>
         <source>Vibration of my last press</source>
-        <translation>Schwingung meines letzten Drucks</translation>
+        <translation>Vibration meiner letzten Betätigung</translation>
     </message>
     <message>
         <source>peak %1 %</source>
@@ -8361,7 +8353,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>&lt;p&gt;A signal of another program, to compare with: above as a share of full scale, below its spectrogram. Level and, unless one is four times longer, time are drawn to the scale of the press.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Das Signal eines anderen Programms zum Vergleich: oben als Anteil der Vollaussteuerung, unten sein Spektrogramm. Der Pegel und, wenn keines viermal länger ist, die Zeit haben den Maßstab des Drucks.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Das Signal eines anderen Programms zum Vergleich: oben als Anteil der Vollaussteuerung, unten sein Spektrogramm. Der Pegel und, wenn keines viermal länger ist, die Zeit haben den Maßstab der Betätigung.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -8372,7 +8364,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Play what is felt on the sound device. The device is opened by the first press, and closed when this is switched off.</source>
-        <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird beim ersten Druck geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
+        <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird bei der ersten Betätigung geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
     </message>
     <message>
         <source>The strongest 10 ms of the last 1.5 s, in dB above the threshold of a fingertip, by the device profile. ≈ means that its level was not measured (sweep) and is assumed.</source>
@@ -8407,24 +8399,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 dB</translation>
     </message>
     <message>
-        <source>No sound: the finger is followed silently</source>
-        <translation>Kein Ton: Dem Finger wird still gefolgt</translation>
+        <source>No sound: presses are tracked without sound</source>
+        <translation>Kein Ton: Betätigungen werden ohne Ton verfolgt</translation>
     </message>
     <message>
         <source>Sound starts with the first press.</source>
-        <translation>Der Ton beginnt mit dem ersten Druck.</translation>
+        <translation>Der Ton beginnt mit der ersten Betätigung.</translation>
     </message>
     <message>
-        <source>Sound is off; the finger is followed silently.</source>
-        <translation>Der Ton ist aus; dem Finger wird still gefolgt.</translation>
+        <source>Sound is off; presses are tracked without sound.</source>
+        <translation>Der Ton ist aus; Betätigungen werden ohne Ton verfolgt.</translation>
     </message>
     <message>
-        <source>Opening the sound device; the finger is followed silently until then.</source>
-        <translation>Das Audiogerät wird geöffnet; bis dahin wird dem Finger still gefolgt.</translation>
+        <source>Opening the sound device; until then, presses are tracked without sound.</source>
+        <translation>Das Audiogerät wird geöffnet; bis dahin werden Betätigungen ohne Ton verfolgt.</translation>
     </message>
     <message>
-        <source>The sound device %1 is gone. Plug it in or start its server again: sound goes on by itself. Until then the finger is followed silently.</source>
-        <translation>Das Audiogerät %1 ist weg. Stecken Sie es an oder starten Sie seinen Server neu: Der Ton geht von selbst weiter. Bis dahin wird dem Finger still gefolgt.</translation>
+        <source>The sound device %1 is disconnected. Plug it in or start its server again: sound resumes by itself. Until then, presses are tracked without sound.</source>
+        <translation>Das Audiogerät %1 ist getrennt. Stecken Sie es an oder starten Sie seinen Server neu: Der Ton setzt von selbst wieder ein. Bis dahin werden Betätigungen ohne Ton verfolgt.</translation>
     </message>
     <message>
         <source>%1 · %2 kHz</source>
@@ -8448,14 +8440,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>No audio output. Presses are tracked without sound. %1</source>
-        <translation>Keine Tonausgabe. Drücke werden ohne Ton verfolgt. %1</translation>
+        <translation>Keine Tonausgabe. Betätigungen werden ohne Ton verfolgt. %1</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::StudyMaker</name>
     <message>
-        <source>Every pair is tried in each of these, mixed and unnamed</source>
-        <translation>Jedes Paar wird in jeder davon versucht, gemischt und ungenannt</translation>
+        <source>Every pair is presented with each of these, in random order and without names</source>
+        <translation>Jedes Paar wird mit jeder davon dargeboten, in zufälliger Reihenfolge und ohne Namen</translation>
     </message>
     <message>
         <source>New study</source>
@@ -8471,7 +8463,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>The participants&apos; task</source>
-        <translation>Aufgabe der Teilnehmer</translation>
+        <translation>Aufgabe der Versuchspersonen</translation>
     </message>
     <message>
         <source>Which of two is X?</source>
@@ -8482,8 +8474,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Welcher von allen ist X?</translation>
     </message>
     <message>
-        <source>Questions before the first that counts</source>
-        <translation>Fragen vor der ersten, die zählt</translation>
+        <source>Practice questions, which do not count</source>
+        <translation>Übungsfragen, die nicht zählen</translation>
     </message>
     <message>
         <source>everything</source>
@@ -8502,8 +8494,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Aufgabe:</translation>
     </message>
     <message>
-        <source>&amp;Questions each:</source>
-        <translation>&amp;Fragen je:</translation>
+        <source>&amp;Questions per condition:</source>
+        <translation>&amp;Fragen je Bedingung:</translation>
     </message>
     <message>
         <source>&amp;Practice:</source>
@@ -8518,8 +8510,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geräteprofil:</translation>
     </message>
     <message>
-        <source>none (chosen under Setup of Feel it)</source>
-        <translation>keines (gewählt unter Einrichtung bei Fühlen)</translation>
+        <source>none (choose it in the Feel panel under Setup)</source>
+        <translation>keines (wählbar im Bereich „Fühlen“ unter „Einrichtung“)</translation>
     </message>
     <message>
         <source>A new folder; it holds the whole study and can be copied</source>
@@ -8530,7 +8522,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Wählen …</translation>
     </message>
     <message>
-        <source>Choose where the folder is made</source>
+        <source>Choose where to create the folder</source>
         <translation>Wählen, wo der Ordner angelegt wird</translation>
     </message>
     <message>
@@ -8542,7 +8534,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Ordner:</translation>
     </message>
     <message>
-        <source>&amp;Make the study</source>
+        <source>Create stud&amp;y</source>
         <translation>Studie an&amp;legen</translation>
     </message>
     <message>
@@ -8551,7 +8543,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Questions for each participant: %1, about %2 minutes.</source>
-        <translation>Fragen an jede Person: %1, etwa %2 Minuten.</translation>
+        <translation>Fragen an jede Versuchsperson: %1, etwa %2 Minuten.</translation>
     </message>
     <message>
         <source>Which of two has more? A threshold</source>
@@ -8562,8 +8554,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Wie ist er? Eine Bewertung</translation>
     </message>
     <message>
-        <source>What there is more of; how much more follows from the answers</source>
-        <translation>Wovon es mehr gibt; wie viel mehr, folgt aus den Antworten</translation>
+        <source>The quantity that is increased; the amount follows from the answers</source>
+        <translation>Die Größe, die erhöht wird; um wie viel, ergibt sich aus den Antworten</translation>
     </message>
     <message>
         <source>force</source>
@@ -8618,7 +8610,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Einwilligungen:</translation>
     </message>
     <message>
-        <source>Text files that participants read first, one for each language: NAME.en.txt, NAME.de.txt; several parted by semicolons</source>
+        <source>Text files that participants read first, one for each language: NAME.en.txt, NAME.de.txt; separate several with semicolons</source>
         <translation>Textdateien, die Versuchspersonen zuerst lesen, eine je Sprache: NAME.en.txt, NAME.de.txt; mehrere durch Semikolon getrennt</translation>
     </message>
     <message>
@@ -8658,7 +8650,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Zeitfenster, s:</translation>
     </message>
     <message>
-        <source>Seconds a r&amp;un:</source>
+        <source>Seconds per r&amp;un:</source>
         <translation>Sek&amp;unden je Lauf:</translation>
     </message>
     <message>
@@ -8678,16 +8670,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>so schnell es durchzuhalten ist</translation>
     </message>
     <message>
-        <source>Between beats, or from the ball&apos;s start to its window; several parted by semicolons, %1 to %2 s</source>
-        <translation>Zwischen den Schlägen, oder vom Start des Balls bis zu seinem Fenster; mehrere durch Strichpunkte getrennt, %1 bis %2 s</translation>
+        <source>Between beats, or from the ball&apos;s start to its window; separate several with semicolons, %1 to %2 s</source>
+        <translation>Zwischen den Schlägen, oder vom Start des Balls bis zu seinem Fenster; mehrere durch Semikolon getrennt, %1 bis %2 s</translation>
     </message>
     <message>
-        <source>How long the window is open; several parted by semicolons, %1 to %2 s</source>
-        <translation>Wie lange das Fenster offen ist; mehrere durch Strichpunkte getrennt, %1 bis %2 s</translation>
+        <source>How long the window is open; separate several with semicolons, %1 to %2 s</source>
+        <translation>Wie lange das Fenster offen ist; mehrere durch Semikolon getrennt, %1 bis %2 s</translation>
     </message>
     <message>
         <source>From the first press on, %1 to %2</source>
-        <translation>Vom ersten Druck an, %1 bis %2</translation>
+        <translation>Ab dem ersten Tastendruck, %1 bis %2</translation>
     </message>
     <message>
         <source>Are the two the same?</source>
@@ -8766,7 +8758,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>REHEARSAL: there is no sound device, nothing is felt</source>
-        <translation>PROBE: Es gibt kein Audiogerät, nichts ist zu fühlen</translation>
+        <translation>PROBELAUF: Es gibt kein Audiogerät, nichts ist zu fühlen</translation>
     </message>
     <message>
         <source>I agree: begin</source>
@@ -8833,8 +8825,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Wählen Sie einen, dann drücken Sie das Feld mit dem Finger.</translation>
     </message>
     <message>
-        <source>Your answer is not kept yet. %1 Then answer again.</source>
-        <translation>Ihre Antwort ist noch nicht festgehalten. %1 Dann antworten Sie noch einmal.</translation>
+        <source>Your answer is not saved yet. %1 Then answer again.</source>
+        <translation>Ihre Antwort ist noch nicht gespeichert. %1 Dann antworten Sie noch einmal.</translation>
     </message>
     <message>
         <source>%1 (not to the end yet)</source>
@@ -8845,16 +8837,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Erst bis zum Ende drücken und loslassen: %1.</translation>
     </message>
     <message>
-        <source>It is back. This question begins anew.</source>
-        <translation>Es geht wieder. Diese Frage beginnt von vorn.</translation>
+        <source>The device is connected again. This question starts over.</source>
+        <translation>Das Gerät ist wieder verbunden. Diese Frage beginnt von vorn.</translation>
     </message>
     <message>
-        <source>The force sensor went away. Please call the experimenter.</source>
-        <translation>Der Kraftsensor liefert nichts mehr. Bitte rufen Sie die Versuchsleitung.</translation>
+        <source>The force sensor was disconnected. Please call the experimenter.</source>
+        <translation>Der Kraftsensor ist getrennt. Bitte rufen Sie die Versuchsleitung.</translation>
     </message>
     <message>
-        <source>The sound device went away. Please call the experimenter.</source>
-        <translation>Das Audiogerät ist weg. Bitte rufen Sie die Versuchsleitung.</translation>
+        <source>The sound device was disconnected. Please call the experimenter.</source>
+        <translation>Das Audiogerät ist getrennt. Bitte rufen Sie die Versuchsleitung.</translation>
     </message>
     <message>
         <source>Y</source>
@@ -8873,7 +8865,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Tippen Sie eine Zahl über 0, dann die Eingabetaste.</translation>
     </message>
     <message>
-        <source>A pause, as long as you like. The question you were at begins anew.</source>
+        <source>Pause for as long as you like. The question you were at will start over.</source>
         <translation>Eine Pause, so lange Sie mögen. Die Frage, an der Sie waren, beginnt von vorn.</translation>
     </message>
     <message>
@@ -8881,7 +8873,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>An einem anderen Tag weitermachen</translation>
     </message>
     <message>
-        <source>Thank you. Next time it goes on at the very question you were at.</source>
+        <source>Thank you. Next time you will continue with the question you were at.</source>
         <translation>Vielen Dank. Beim nächsten Mal geht es genau bei der Frage weiter, an der Sie waren.</translation>
     </message>
     <message>
@@ -8961,20 +8953,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Fühlen Sie ihn, dann sagen Sie, wie sehr er Ihnen gefällt. Es gibt kein Richtig oder Falsch.</translation>
     </message>
     <message>
-        <source>Feel it, then give a number as great as it feels strong: what feels twice as strong gets twice the number. Any number above 0 will do.</source>
-        <translation>Fühlen Sie ihn, dann geben Sie eine Zahl, die so groß ist, wie er sich stark anfühlt: Was sich doppelt so stark anfühlt, bekommt die doppelte Zahl. Jede Zahl über 0 ist recht.</translation>
+        <source>Feel it, then give a number for how strong it feels: what feels twice as strong gets twice the number. Any number above 0 will do.</source>
+        <translation>Fühlen Sie ihn, dann nennen Sie eine Zahl dafür, wie stark er sich anfühlt: Was sich doppelt so stark anfühlt, bekommt die doppelte Zahl. Jede Zahl über 0 ist recht.</translation>
     </message>
     <message>
-        <source>Its key or a click makes you feel it under your finger.</source>
-        <translation>Mit seiner Taste oder einem Klick fühlen Sie ihn unter dem Finger.</translation>
+        <source>Press its key or click it to feel it under your finger.</source>
+        <translation>Drücken Sie seine Taste oder klicken Sie ihn an, um ihn unter dem Finger zu fühlen.</translation>
     </message>
     <message>
         <source>First press it to the end and let go.</source>
         <translation>Erst bis zum Ende drücken und loslassen.</translation>
     </message>
     <message>
-        <source>Thank you for coming. Nothing about you was kept.</source>
-        <translation>Vielen Dank, dass Sie da waren. Es wurde nichts über Sie festgehalten.</translation>
+        <source>Thank you for coming. Nothing about you was saved.</source>
+        <translation>Vielen Dank, dass Sie da waren. Es wurde nichts über Sie gespeichert.</translation>
     </message>
     <message>
         <source>Questions for practice, which do not count: %1</source>
@@ -9017,24 +9009,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Halt.</translation>
     </message>
     <message>
-        <source>No press came at a time that counts. Once more.</source>
-        <translation>Zu der Zeit, die zählt, kam kein Druck. Noch einmal.</translation>
+        <source>No press fell within the time that counts. Please try again.</source>
+        <translation>Kein Tastendruck lag in der Zeit, die zählt. Bitte noch einmal.</translation>
     </message>
     <message>
-        <source>The presses came too close: let the key go each time. Once more.</source>
-        <translation>Die Drücke kamen zu dicht: Lassen Sie die Taste jedes Mal los. Noch einmal.</translation>
+        <source>The presses were too close together: let go of the key each time. Please try again.</source>
+        <translation>Die Tastendrücke kamen zu dicht hintereinander: Lassen Sie die Taste jedes Mal los. Bitte noch einmal.</translation>
     </message>
     <message>
-        <source>The button was not pressed far enough. Once more.</source>
-        <translation>Der Taster wurde nicht weit genug gedrückt. Noch einmal.</translation>
+        <source>The button was not pressed far enough. Please try again.</source>
+        <translation>Der Taster wurde nicht weit genug gedrückt. Bitte noch einmal.</translation>
     </message>
     <message>
-        <source>It is not kept yet. %1 Once more.</source>
-        <translation>Es ist noch nicht aufgehoben. %1 Noch einmal.</translation>
+        <source>The result is not saved yet. %1 Please try again.</source>
+        <translation>Das Ergebnis ist noch nicht gespeichert. %1 Bitte noch einmal.</translation>
     </message>
     <message>
-        <source>Four beats come, evenly. Press with the fourth.</source>
-        <translation>Es kommen vier gleichmäßige Schläge. Drücken Sie mit dem vierten.</translation>
+        <source>You will hear four even beats. Press with the fourth.</source>
+        <translation>Sie hören vier gleichmäßige Schläge. Drücken Sie mit dem vierten.</translation>
     </message>
     <message>
         <source>A ball runs to the right. Press while its middle is between the two bars.</source>
@@ -9042,7 +9034,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Press again and again, as fast as you can keep up, until it says stop: %1 seconds from your first press.</source>
-        <translation>Drücken Sie immer wieder, so schnell Sie es durchhalten, bis Halt kommt: %1 Sekunden ab Ihrem ersten Druck.</translation>
+        <translation>Drücken Sie immer wieder, so schnell Sie es durchhalten, bis „Halt“ erscheint: %1 Sekunden ab Ihrem ersten Tastendruck.</translation>
     </message>
     <message>
         <source>Press the button under your finger.</source>
@@ -9061,8 +9053,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Escape nimmt die Kraft sofort weg.</translation>
     </message>
     <message>
-        <source>The force device went away. Please call the experimenter.</source>
-        <translation>Das Kraftgerät ist weg. Bitte rufen Sie die Versuchsleitung.</translation>
+        <source>The force device was disconnected. Please call the experimenter.</source>
+        <translation>Das Kraftgerät ist getrennt. Bitte rufen Sie die Versuchsleitung.</translation>
     </message>
     <message>
         <source>There is no force. Please call the experimenter: F9 brings it back.</source>
@@ -9104,11 +9096,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>%1: press and release</source>
-        <translation>%1: Drücken und Rückweg</translation>
+        <translation>%1: Hinweg und Rückweg</translation>
     </message>
     <message>
         <source>%1: press only</source>
-        <translation>%1: nur Drücken</translation>
+        <translation>%1: nur Hinweg</translation>
     </message>
     <message>
         <source>Switches in this plot</source>
@@ -9157,7 +9149,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Create</source>
-        <translation>Anlegen</translation>
+        <translation>Erstellen</translation>
     </message>
 </context>
 <context>
@@ -9199,7 +9191,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Press: tactile points</source>
-        <translation>Drücken: Druckpunkte</translation>
+        <translation>Hinweg: Druckpunkte</translation>
     </message>
     <message>
         <source>Release: tactile points</source>
@@ -9207,7 +9199,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Press: knots</source>
-        <translation>Drücken: Knoten</translation>
+        <translation>Hinweg: Knoten</translation>
     </message>
     <message>
         <source>Release: knots</source>
@@ -9238,27 +9230,27 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Tal oder Spitze %1</translation>
     </message>
     <message>
-        <source>Segment %1</source>
+        <source>Section %1</source>
         <translation>Abschnitt %1</translation>
     </message>
     <message>
         <source>Press: valleys and peaks</source>
-        <translation>Drücken: Täler und Spitzen</translation>
+        <translation>Hinweg: Täler und Spitzen</translation>
     </message>
     <message>
         <source>Release: valleys and peaks</source>
         <translation>Rückweg: Täler und Spitzen</translation>
     </message>
     <message>
-        <source>Press: segments (end point)</source>
-        <translation>Drücken: Abschnitte (Endpunkt)</translation>
+        <source>Press: sections (end point)</source>
+        <translation>Hinweg: Abschnitte (Endpunkt)</translation>
     </message>
     <message>
-        <source>Release: segments (end point)</source>
+        <source>Release: sections (end point)</source>
         <translation>Rückweg: Abschnitte (Endpunkt)</translation>
     </message>
     <message>
-        <source>Slope on the knot&apos;s right side; of a segment, from end to end</source>
+        <source>Slope on the knot&apos;s right side; of a section, from end to end</source>
         <translation>Steigung rechts des Knotens; bei einem Abschnitt von Ende zu Ende</translation>
     </message>
     <message>
@@ -9351,7 +9343,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>drawn as one loop and told apart by its course</source>
-        <translation>als eine Schleife gezeichnet und an ihrem Verlauf unterschieden</translation>
+        <translation>als eine Schleife gezeichnet; Hinweg und Rückweg aus ihrem Verlauf bestimmt</translation>
     </message>
     <message>
         <source>named by the legend</source>
@@ -9359,7 +9351,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>press lies above release on %1 of where they differ</source>
-        <translation>das Drücken liegt auf %1 der Strecke, wo beide sich unterscheiden, über dem Rückweg</translation>
+        <translation>der Hinweg liegt auf %1 der Strecke, wo beide sich unterscheiden, über dem Rückweg</translation>
     </message>
     <message>
         <source>one reaches a higher force</source>
@@ -9371,15 +9363,15 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>one curve: press only</source>
-        <translation>eine Kurve: nur das Drücken</translation>
+        <translation>eine Kurve: nur der Hinweg</translation>
     </message>
     <message>
         <source>one curve, taken as press although the legend calls it release</source>
-        <translation>eine Kurve, für das Drücken genommen, obwohl die Legende sie Rückweg nennt</translation>
+        <translation>eine Kurve, als Hinweg genommen, obwohl die Legende sie Rückweg nennt</translation>
     </message>
     <message>
         <source>one curve: press only, although the legend names a release too (&quot;%1&quot;)</source>
-        <translation>eine Kurve: nur das Drücken, obwohl die Legende auch einen Rückweg nennt (&quot;%1&quot;)</translation>
+        <translation>eine Kurve: nur der Hinweg, obwohl die Legende auch einen Rückweg nennt („%1“)</translation>
     </message>
     <message>
         <source>exchanged by hand</source>
@@ -9395,11 +9387,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>no name is &quot;%1&quot;, one that was read as &quot;%2&quot; is near to it</source>
-        <translation>kein Name ist „%1“, einer, der als „%2“ gelesen wurde, kommt ihm nahe</translation>
+        <translation>keine Kurve heißt „%1“; der ähnlichste gelesene Name ist „%2“</translation>
     </message>
     <message>
         <source>a stroke&apos;s foot lies under another curve and is taken from that</source>
-        <translation>der Fuß eines Hubs liegt unter einer anderen Kurve und ist von dieser übernommen</translation>
+        <translation>der Anfang eines Hubs ist von einer anderen Kurve verdeckt und wurde von dieser übernommen</translation>
     </message>
     <message>
         <source>the axes are not certain (%1)</source>
@@ -9411,7 +9403,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the traced points make no curve (the fit is %1 px off them)</source>
-        <translation>die abgelesenen Punkte ergeben keine Kurve (die Anpassung verfehlt sie um %1 px)</translation>
+        <translation>die abgelesenen Punkte ergeben keine Kurve (die Anpassung weicht um %1 px von ihnen ab)</translation>
     </message>
     <message>
         <source>the graph %1</source>
@@ -9419,11 +9411,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the %1 numbers along it make no even progression</source>
-        <translation>die %1 Zahlen daran bilden keine gleichmäßige Folge</translation>
+        <translation>ihre %1 Zahlen bilden keine gleichmäßige Folge</translation>
     </message>
     <message>
         <source>the %1 numbers along it fall, and the plot could not be turned round</source>
-        <translation>die %1 Zahlen daran fallen, und das Diagramm ließ sich nicht umkehren</translation>
+        <translation>ihre %1 Zahlen fallen, und das Diagramm ließ sich nicht umkehren</translation>
     </message>
     <message>
         <source>this is more likely a drawing than a force graph (%1)</source>
@@ -9431,11 +9423,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>what can be followed in this ink does not look like a force curve (confidence %1)</source>
-        <translation>was sich in dieser Farbe verfolgen lässt, sieht nicht nach einer Kraftkurve aus (Sicherheit %1)</translation>
+        <translation>die Linien in dieser Farbe sehen nicht nach einer Kraftkurve aus (Sicherheit %1)</translation>
     </message>
     <message>
         <source>%1 curves, and which two belong together is not clear: %2</source>
-        <translation>%1 Kurven, und welche zwei zusammengehören, ist nicht klar: %2</translation>
+        <translation>%1 Kurven; welche zwei zusammengehören, ist nicht klar: %2</translation>
     </message>
     <message>
         <source>%1 switches are drawn in it: %2</source>
@@ -9443,7 +9435,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>press and release cannot be told apart: neither legend nor hysteresis says which is which (%1, %2)</source>
-        <translation>Drücken und Rückweg lassen sich nicht unterscheiden: Weder Legende noch Hysterese sagt, welche welche ist (%1, %2)</translation>
+        <translation>Hinweg und Rückweg lassen sich nicht unterscheiden: Weder Legende noch Hysterese zeigt, welche Kurve welche ist (%1, %2)</translation>
     </message>
     <message>
         <source>the %1 axis names no unit; %2 would be a guess</source>
@@ -9455,19 +9447,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>a travel of %1 is not a button&apos;s</source>
-        <translation>ein Weg von %1 ist nicht der eines Tasters</translation>
+        <translation>ein Weg von %1 ist für einen Taster unplausibel</translation>
     </message>
     <message>
         <source>a force of %1 is not a button&apos;s</source>
-        <translation>eine Kraft von %1 ist nicht die eines Tasters</translation>
+        <translation>eine Kraft von %1 ist für einen Taster unplausibel</translation>
     </message>
     <message>
         <source>the press starts at %1, left of zero</source>
-        <translation>das Drücken beginnt bei %1, links von null</translation>
+        <translation>der Hinweg beginnt bei %1, links von null</translation>
     </message>
     <message>
         <source>the press goes down to %1, below zero</source>
-        <translation>das Drücken geht bis %1 hinab, unter null</translation>
+        <translation>der Hinweg geht bis %1 hinab, unter null</translation>
     </message>
     <message>
         <source>press and release are the same line over most of their length, or one jumps to the other and back</source>
@@ -9475,19 +9467,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>more than half of a curve is parallel to an axis, as gridlines are</source>
-        <translation>mehr als die Hälfte einer Kurve liegt parallel zu einer Achse, wie Rasterlinien es tun</translation>
+        <translation>mehr als die Hälfte einer Kurve liegt parallel zu einer Achse, wie Gitterlinien</translation>
     </message>
     <message>
         <source>a stroke with %1 tactile points is not a button&apos;s</source>
-        <translation>eine Kurve mit %1 Druckpunkten ist nicht die eines Tasters</translation>
+        <translation>ein Hub mit %1 Druckpunkten ist für einen Taster unplausibel</translation>
     </message>
     <message>
         <source>the press falls from its start or to its end, as an edge of the frame or a magnet&apos;s pull does</source>
-        <translation>das Drücken fällt von seinem Anfang an oder bis zu seinem Ende, wie eine Kante des Rahmens oder der Zug eines Magneten</translation>
+        <translation>der Hinweg fällt von seinem Anfang an oder bis zu seinem Ende, wie eine Kante des Rahmens oder der Zug eines Magneten</translation>
     </message>
     <message>
         <source>the release lies above the press over %1 of their travel</source>
-        <translation>der Rückweg liegt auf %1 des gemeinsamen Wegs über dem Drücken</translation>
+        <translation>der Rückweg liegt auf %1 des gemeinsamen Wegs über dem Hinweg</translation>
     </message>
     <message>
         <source>a curve ends where the picture does</source>
@@ -9495,7 +9487,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>a curve goes on beyond the plot frame at %1</source>
-        <translation>eine Kurve läuft bei %1 über den Diagrammrahmen hinaus</translation>
+        <translation>eine Kurve läuft bei %1 über den Rahmen hinaus</translation>
     </message>
     <message>
         <source>the force axis begins at %1 and a curve goes below it</source>
@@ -9507,7 +9499,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>ink like a curve&apos;s is left over around %1, %2</source>
-        <translation>bei %1, %2 bleibt Tinte übrig, die einer Kurve gleicht</translation>
+        <translation>bei %1, %2 gleichen Bildpunkte einer Kurve, gehören aber zu keiner</translation>
     </message>
     <message>
         <source>the colour given, %1, is that of a curve which the legend calls &quot;%2&quot;</source>
@@ -9515,7 +9507,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>one of two curves is called &quot;%1&quot;, which is no stroke, and the other&apos;s name is not read</source>
-        <translation>eine von zwei Kurven heißt „%1“, was kein Hub ist, und der Name der anderen ist nicht gelesen</translation>
+        <translation>eine von zwei Kurven heißt „%1“, was kein Hub ist, und der Name der anderen ließ sich nicht lesen</translation>
     </message>
     <message>
         <source>the legend names strokes of &quot;%1&quot; as well, which are not traced</source>
@@ -9523,11 +9515,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in another size</source>
-        <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, und ein Weg von %2, wo sie in anderer Größe betrachtet wird</translation>
+        <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, bei anderer Bildgröße aber ein Weg von %2</translation>
     </message>
     <message>
         <source>as it stands the page is not read for certain (%1): taken as two looks in other sizes read it</source>
-        <translation>so wie sie ist, wird die Seite nicht sicher gelesen (%1): übernommen, wie zwei Blicke in anderer Größe sie lesen</translation>
+        <translation>in ihrer eigenen Größe ließ sich die Seite nicht sicher lesen (%1): Verwendet wird das Ergebnis, in dem zwei Lesungen in anderer Größe übereinstimmen</translation>
     </message>
     <message>
         <source>a travel of %1</source>
@@ -9547,15 +9539,15 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>a curve runs over bare paper around %1, %2</source>
-        <translation>bei %1, %2 läuft eine Kurve über leeres Papier</translation>
+        <translation>bei %1, %2 läuft eine Kurve über leeren Hintergrund</translation>
     </message>
     <message>
         <source>the numbers of the %1 axis may be thousands or have three decimals</source>
-        <translation>die Zahlen der %1-Achse können Tausender sein oder drei Nachkommastellen haben</translation>
+        <translation>die Zahlen der Achse %1 können Tausender sein oder drei Nachkommastellen haben</translation>
     </message>
     <message>
         <source>press and release share only %1 of their travel</source>
-        <translation>Drücken und Rückweg haben nur %1 ihres Weges gemeinsam</translation>
+        <translation>Hinweg und Rückweg haben nur %1 ihres Weges gemeinsam</translation>
     </message>
     <message>
         <source>the page looks scanned, and scans are read wrong more often than drawings</source>
@@ -9567,11 +9559,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>not beyond doubt: %1</source>
-        <translation>nicht zweifelsfrei: %1</translation>
+        <translation>nicht sicher: %1</translation>
     </message>
     <message>
         <source>page %1: images of the document that cannot be decoded: %2; the rest was read</source>
-        <translation>Seite %1: Bilder des Dokuments, die sich nicht entschlüsseln lassen: %2; der Rest wurde gelesen</translation>
+        <translation>Seite %1: Bilder des Dokuments, die sich nicht dekodieren lassen: %2; der Rest wurde gelesen</translation>
     </message>
     <message>
         <source>page %1: %2</source>
@@ -9591,7 +9583,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the label &quot;%1&quot; on the %2 axis stands at %3 of the scale that the others make: left out</source>
-        <translation>die Beschriftung „%1“ der Achse %2 steht bei %3 der Skala, die die anderen bilden: weggelassen</translation>
+        <translation>die Beschriftung „%1“ der Achse %2 liegt bei %3 der Skala, die die anderen vorgeben: weggelassen</translation>
     </message>
     <message>
         <source>the %1 axis has no ticks: its scale comes from where its numbers stand</source>
@@ -9615,11 +9607,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the log holds %1 presses: the first complete cycle was taken</source>
-        <translation>das Protokoll enthält %1 Drücke: Der erste vollständige wurde genommen</translation>
+        <translation>das Protokoll enthält %1 Betätigungen: Die erste vollständige wurde genommen</translation>
     </message>
     <message>
         <source>displacement starts at %1: shifted so that the press starts at zero</source>
-        <translation>der Weg beginnt bei %1: so verschoben, dass das Drücken bei null beginnt</translation>
+        <translation>der Weg beginnt bei %1: so verschoben, dass der Hinweg bei null beginnt</translation>
     </message>
     <message>
         <source>a force of %1 before contact was taken off as the meter&apos;s offset</source>
@@ -9655,7 +9647,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the curve ends where one of another switch covers it</source>
-        <translation>die Kurve endet, wo eine eines anderen Tasters sie verdeckt</translation>
+        <translation>die Kurve endet, wo die Kurve eines anderen Tasters sie verdeckt</translation>
     </message>
     <message>
         <source>no one curve in it is &quot;%1&quot;; it shows %2</source>
@@ -9867,7 +9859,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the disk refused: %1</source>
-        <translation>die Platte hat abgelehnt: %1</translation>
+        <translation>der Datenträger meldet einen Fehler: %1</translation>
     </message>
     <message>
         <source>it cannot be opened: %1</source>
@@ -9875,11 +9867,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it is no whole library: %1</source>
-        <translation>sie ist keine ganze Bibliothek: %1</translation>
+        <translation>sie ist keine vollständige Sammlung: %1</translation>
     </message>
     <message>
         <source>it was of version %1, this program&apos;s is %2: made anew from the folders given</source>
-        <translation>sie war von Version %1, die dieses Programms ist %2: neu gemacht aus den genannten Ordnern</translation>
+        <translation>sie hatte Version %1, dieses Programm verwendet %2: neu aufgebaut aus den angegebenen Ordnern</translation>
     </message>
     <message>
         <source>it is damaged and cannot be moved aside: %1</source>
@@ -9887,7 +9879,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it was damaged (%1): made anew from the folders given, the damaged one is kept as %2</source>
-        <translation>sie war beschädigt (%1): neu gemacht aus den genannten Ordnern, die beschädigte ist als %2 aufgehoben</translation>
+        <translation>sie war beschädigt (%1): neu aufgebaut aus den angegebenen Ordnern; die beschädigte ist als %2 aufgehoben</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no button or force log</source>
@@ -9899,7 +9891,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no page&apos;s name</source>
-        <translation>„%1“ ist kein Name einer Seite</translation>
+        <translation>„%1“ ist nicht der Name einer Seite</translation>
     </message>
     <message>
         <source>it has no %1</source>
@@ -9907,11 +9899,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no button&apos;s name</source>
-        <translation>„%1“ ist kein Name eines Tasters</translation>
+        <translation>„%1“ ist nicht der Name eines Tasters</translation>
     </message>
     <message>
         <source>there is no row of numbers along it</source>
-        <translation>an ihr ist keine Reihe von Zahlen</translation>
+        <translation>sie hat keine Reihe von Zahlen</translation>
     </message>
     <message>
         <source>its range is empty</source>
@@ -9963,7 +9955,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Split press and release before fitting, each in the order travelled</source>
-        <translation>Drücken und Rückweg vor dem Anpassen trennen, jeden in der Reihenfolge des Wegs</translation>
+        <translation>Hinweg und Rückweg vor dem Anpassen trennen, jeden in der Reihenfolge des Wegs</translation>
     </message>
     <message>
         <source>Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page</source>
@@ -9979,7 +9971,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it is a WebPlotDigitizer project of a version other than 3 and 4</source>
-        <translation>es ist ein Projekt des WebPlotDigitizers in einer anderen Fassung als 3 und 4</translation>
+        <translation>es ist ein Projekt des WebPlotDigitizers in einer anderen Version als 3 und 4</translation>
     </message>
     <message>
         <source>Export the data sets as CSV</source>
@@ -10003,7 +9995,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Give press and release a data set each, named so</source>
-        <translation>Drücken und Rückweg je einen Datensatz geben, so benannt (press, release)</translation>
+        <translation>Hinweg und Rückweg je einen Datensatz geben, benannt „press“ und „release“</translation>
     </message>
     <message>
         <source>its data sets are all named as releases</source>
@@ -10011,7 +10003,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Name the set of the way down &quot;press&quot;</source>
-        <translation>Den Satz des Hinwegs &quot;press&quot; nennen</translation>
+        <translation>Den Datensatz des Hinwegs „press“ nennen</translation>
     </message>
     <message>
         <source>Save the project once more in WebPlotDigitizer</source>
@@ -10055,11 +10047,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>its lists hold no press</source>
-        <translation>ihre Listen enthalten kein Drücken</translation>
+        <translation>ihre Listen enthalten keinen Hinweg</translation>
     </message>
     <message>
         <source>it is no spreadsheet, or a damaged one</source>
-        <translation>es ist keine Tabelle, oder eine beschädigte</translation>
+        <translation>es ist keine Tabelle, oder sie ist beschädigt</translation>
     </message>
     <message>
         <source>the import %1</source>
@@ -10075,7 +10067,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>is empty: nothing but paper and grid lines in it</source>
-        <translation>ist leer: nur Papier und Gitterlinien darin</translation>
+        <translation>ist leer: nur Hintergrund und Gitterlinien darin</translation>
     </message>
     <message>
         <source>shows no line in the colours given</source>
@@ -10083,7 +10075,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>must lie in (0, 16] px</source>
-        <translation>muss in (0, 16] px liegen</translation>
+        <translation>muss größer als 0 und höchstens 16 px sein</translation>
     </message>
     <message>
         <source>Leave it at 1</source>
@@ -10111,15 +10103,15 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>operating force</source>
-        <translation>Schaltkraft</translation>
+        <translation>Betätigungskraft</translation>
     </message>
     <message>
         <source>tactile force</source>
-        <translation>Kraft am Druckpunkt</translation>
+        <translation>Druckpunktkraft</translation>
     </message>
     <message>
         <source>end force</source>
-        <translation>Endkraft</translation>
+        <translation>Kraft am Ende</translation>
     </message>
     <message>
         <source>agrees with the page: %1 %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
@@ -10163,7 +10155,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>only the press was drawn by hand: the button has no release</source>
-        <translation>nur das Drücken wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
+        <translation>nur der Hinweg wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
     </message>
     <message>
         <source>an operating point is printed, but was not placed</source>
@@ -10197,7 +10189,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::importer::Doubts</name>
     <message>
         <source>&quot;%1&quot; and &quot;%2&quot; are taken for press and release, as they end in one point</source>
-        <translation>„%1“ und „%2“ sind für Drücken und Rückweg genommen, da sie in einem Punkt enden</translation>
+        <translation>„%1“ und „%2“ sind als Hinweg und Rückweg genommen, da sie in einem Punkt enden</translation>
     </message>
     <message>
         <source>Use the whole picture</source>
@@ -10283,7 +10275,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the table is hardly a record of a button</source>
-        <translation>die Tabelle ist kaum die Aufzeichnung einer Taste</translation>
+        <translation>die Tabelle sieht nicht nach der Aufzeichnung eines Tasters aus</translation>
     </message>
     <message>
         <source>Check the values, or ask for a lower confidence</source>
@@ -10333,7 +10325,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Export one press with its release, or fewer rows</source>
-        <translation>Einen Druck mit seinem Loslassen exportieren, oder weniger Zeilen</translation>
+        <translation>Eine Betätigung mit ihrem Rückweg exportieren, oder weniger Zeilen</translation>
     </message>
     <message>
         <source>it cannot be read</source>
@@ -10425,7 +10417,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>a pair is one press and one release, each in its file</source>
-        <translation>ein Paar ist ein Drücken und ein Loslassen, jedes in seiner Datei</translation>
+        <translation>ein Paar ist ein Hinweg und ein Rückweg, jeder in seiner Datei</translation>
     </message>
     <message>
         <source>column %1 was taken in %2, the unit given by hand</source>
@@ -10433,19 +10425,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Give the file of the press first, then that of the release</source>
-        <translation>Zuerst die Datei des Drückens angeben, dann die des Loslassens</translation>
+        <translation>Zuerst die Datei des Hinwegs angeben, dann die des Rückwegs</translation>
     </message>
     <message>
         <source>the press was taken back in part and resumed: its beginning was joined to it</source>
-        <translation>der Druck wurde teils zurückgenommen und fortgesetzt: sein Anfang wurde angefügt</translation>
+        <translation>die Betätigung wurde teilweise zurückgenommen und fortgesetzt: Beide Teile wurden verbunden</translation>
     </message>
     <message>
         <source>an approach of %1 through air was cut off; contact is certain to %2</source>
-        <translation>ein Anfahrweg von %1 durch Luft wurde abgeschnitten; der Kontakt ist auf %2 sicher</translation>
+        <translation>ein Anfahrweg von %1 vor der Berührung wurde abgeschnitten; der Berührungspunkt ist auf %2 genau</translation>
     </message>
     <message>
         <source>Check the path and its rights</source>
-        <translation>Den Pfad und seine Rechte prüfen</translation>
+        <translation>Den Pfad und seine Zugriffsrechte prüfen</translation>
     </message>
     <message>
         <source>Give a file</source>
@@ -10532,7 +10524,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>there is no memory to open it</source>
-        <translation>es ist kein Speicher da, sie zu öffnen</translation>
+        <translation>der Speicher reicht nicht aus, sie zu öffnen</translation>
     </message>
     <message>
         <source>Close other programs and try again</source>
@@ -10607,7 +10599,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::importer::PictureSource</name>
     <message>
         <source>the GIF picture is damaged, or a film of several pictures</source>
-        <translation>das GIF-Bild ist beschädigt oder ein Film aus mehreren Bildern</translation>
+        <translation>das GIF-Bild ist beschädigt oder eine Animation aus mehreren Bildern</translation>
     </message>
     <message>
         <source>Save the picture that shows the whole graph as PNG and import that</source>
@@ -10634,7 +10626,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::importer::SvgSource</name>
     <message>
         <source>%1 parts are not drawn that lie in other files or are HTML</source>
-        <translation>%1 Teile werden nicht gezeichnet, die in anderen Dateien liegen oder HTML sind</translation>
+        <translation>%1 Teile, die in anderen Dateien liegen oder HTML sind, werden nicht gezeichnet</translation>
     </message>
     <message>
         <source>no font has the letters %1, and boxes stand for them</source>
@@ -10716,15 +10708,15 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>hardly an error in 90</source>
-        <translation>kaum ein Fehler in 90</translation>
+        <translation>kaum ein Fehler in 90 Durchgängen</translation>
     </message>
     <message>
         <source>about %1 errors in 90</source>
-        <translation>etwa %1 Fehler in 90</translation>
+        <translation>etwa %1 Fehler in 90 Durchgängen</translation>
     </message>
     <message>
         <source>%1 to %2 errors in 90</source>
-        <translation>%1 bis %2 Fehler in 90</translation>
+        <translation>%1 bis %2 Fehler in 90 Durchgängen</translation>
     </message>
     <message>
         <source>people tell these apart: %1</source>
@@ -10764,7 +10756,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>most differs on the press: %1</source>
-        <translation>am meisten verschieden beim Drücken: %1</translation>
+        <translation>am meisten verschieden auf dem Hinweg: %1</translation>
     </message>
     <message>
         <source>most differs on the release: %1</source>
@@ -10784,7 +10776,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Write what participants are to agree to</source>
-        <translation>Schreiben, worin die Teilnehmenden einwilligen sollen</translation>
+        <translation>Schreiben, worin die Versuchspersonen einwilligen</translation>
     </message>
     <message>
         <source>gives two texts for %1</source>
@@ -10808,7 +10800,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has used the condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
-        <translation>hörte bisher „%1“, nicht „%2“</translation>
+        <translation>hatte bisher die Bedingung „%1“, nicht „%2“</translation>
     </message>
     <message>
         <source>Go on in the same condition, or give another id</source>
@@ -10820,7 +10812,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Give an id that is read out differently</source>
-        <translation>Eine Kennung eingeben, die anders vorgelesen wird</translation>
+        <translation>Eine Kennung eingeben, die anders klingt</translation>
     </message>
     <message>
         <source>%1 lies outside %2 to %3</source>
@@ -10832,7 +10824,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>&quot;%1&quot; (%2) feels the same with more of &quot;%3&quot;</source>
-        <translation>„%1“ (%2) fühlt sich mit mehr „%3“ gleich an</translation>
+        <translation>„%1“ (%2) fühlt sich gleich an, wenn „%3“ erhöht wird</translation>
     </message>
     <message>
         <source>Choose another quantity, mode, button or feel</source>
@@ -10864,7 +10856,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>none, too many, one twice or outside %1 to %2 s</source>
-        <translation>keines, zu viele, eines doppelt oder nicht zwischen %1 und %2 s</translation>
+        <translation>es gibt keines oder zu viele, eines ist doppelt, oder eines liegt nicht zwischen %1 und %2 s</translation>
     </message>
     <message>
         <source>Give 1 to %1 of them</source>
@@ -10872,7 +10864,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>none, too many, one twice, outside %1 to %2 s, or as long as an interval</source>
-        <translation>keines, zu viele, eines doppelt, nicht zwischen %1 und %2 s oder so lang wie ein Intervall</translation>
+        <translation>es gibt keines oder zu viele, eines ist doppelt, liegt nicht zwischen %1 und %2 s oder ist so lang wie ein Intervall</translation>
     </message>
     <message>
         <source>Give 1 to %1, each shorter than the shortest interval</source>
@@ -10920,7 +10912,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>none, or one twice</source>
-        <translation>keine, oder eine doppelt</translation>
+        <translation>es gibt keine, oder eine ist doppelt</translation>
     </message>
     <message>
         <source>Choose at least one, each at most once</source>
@@ -10960,7 +10952,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has no room for a tenth more of &quot;%1&quot;</source>
-        <translation>hat keinen Platz für ein Zehntel mehr „%1“</translation>
+        <translation>lässt ein Zehntel mehr „%1“ nicht zu</translation>
     </message>
     <message>
         <source>Choose another quantity, or a button with less of it</source>
@@ -10976,11 +10968,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>no sound output is there</source>
-        <translation>es gibt keinen Tonausgang</translation>
+        <translation>es wurde kein Tonausgang gefunden</translation>
     </message>
     <message>
         <source>no sound input is there</source>
-        <translation>es gibt keinen Toneingang</translation>
+        <translation>es wurde kein Toneingang gefunden</translation>
     </message>
     <message>
         <source>Connect one, or start a JACK server</source>
@@ -11060,11 +11052,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>may not be used by you</source>
-        <translation>darf von Ihnen nicht benutzt werden</translation>
+        <translation>lässt sich nicht öffnen: Ihnen fehlt die Berechtigung</translation>
     </message>
     <message>
         <source>Give yourself the right by a udev rule (docs/guide/force-feedback.md), then plug it in again</source>
-        <translation>Geben Sie sich das Recht durch eine udev-Regel (docs/guide/force-feedback.md) und stecken Sie es neu ein</translation>
+        <translation>Erlauben Sie sich den Zugriff mit einer udev-Regel (docs/guide/force-feedback.md), und stecken Sie es neu ein</translation>
     </message>
     <message>
         <source>is in use by another program</source>
@@ -11084,7 +11076,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>is not part of this build</source>
-        <translation>gehört nicht zu diesem gebauten Programm</translation>
+        <translation>ist in diesem Programm nicht eingebaut</translation>
     </message>
     <message>
         <source>Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON</source>
@@ -11108,7 +11100,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>cannot be listened on (%1)</source>
-        <translation>kann nicht abgehört werden (%1)</translation>
+        <translation>lässt sich nicht zum Empfangen öffnen (%1)</translation>
     </message>
     <message>
         <source>Choose another port</source>
@@ -11156,7 +11148,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Give a press trace with finite values</source>
-        <translation>Geben Sie einen Druckverlauf mit endlichen Werten an</translation>
+        <translation>Geben Sie einen Betätigungsverlauf mit endlichen Werten an</translation>
     </message>
     <message>
         <source>answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest that is steady; this button needs %4 N/mm</source>
@@ -11184,19 +11176,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>moves %1 in all, in steps of %2: too few of them</source>
-        <translation>bewegt sich um insgesamt %1, in Schritten von %2: zu wenige davon</translation>
+        <translation>bewegt sich insgesamt nur um %1, in Schritten von %2, die zu grob sind</translation>
     </message>
     <message>
         <source>%1 cannot hold this press: its strongest sample is %2 of full scale, and nothing would sound</source>
-        <translation>%1 kann diesen Druck nicht fassen: Der stärkste Wert ist %2 der Vollaussteuerung, und nichts wäre zu spüren</translation>
+        <translation>%1 kann diese Betätigung nicht fassen: Der stärkste Wert ist %2 der Vollaussteuerung, und nichts wäre zu spüren</translation>
     </message>
     <message>
         <source>Press deeper, raise the gain of the device profile, or choose package, which holds any press</source>
-        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils oder wählen Sie package, das jeden Druck fasst</translation>
+        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils oder wählen Sie package, das jede Betätigung fasst</translation>
     </message>
     <message>
         <source>%1 bits are no format of samples here</source>
-        <translation>%1 Bit sind hier kein Format für Werte</translation>
+        <translation>%1 Bit je Wert werden nicht unterstützt</translation>
     </message>
     <message>
         <source>Give 8 or 16</source>
@@ -11204,7 +11196,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>%1 samples a second are no rate of samples here</source>
-        <translation>%1 Werte je Sekunde sind hier keine Abtastrate</translation>
+        <translation>%1 Werte je Sekunde werden nicht unterstützt</translation>
     </message>
     <message>
         <source>Give 8000 to 192000</source>
@@ -11212,7 +11204,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>nothing of the button is felt under this press: %1 of its %2 readings are no numbers, out of range or not in the order of their times</source>
-        <translation>unter diesem Druck ist vom Taster nichts zu fühlen: %1 seiner %2 Messwerte sind keine Zahlen, außerhalb des Bereichs oder nicht in der Folge ihrer Zeiten</translation>
+        <translation>bei dieser Betätigung ist vom Taster nichts zu fühlen: %1 ihrer %2 Messwerte sind keine Zahlen, außerhalb des Bereichs oder nicht in zeitlicher Folge</translation>
     </message>
     <message>
         <source>Correct these readings</source>
@@ -11220,7 +11212,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>nothing of the button is felt under this press</source>
-        <translation>unter diesem Druck ist vom Taster nichts zu fühlen</translation>
+        <translation>bei dieser Betätigung ist vom Taster nichts zu fühlen</translation>
     </message>
     <message>
         <source>Press harder or deeper, or choose a mode that plays something</source>
@@ -11228,11 +11220,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the press lasts %1 s; an export holds at most %2 s</source>
-        <translation>der Druck dauert %1 s; ein Export fasst höchstens %2 s</translation>
+        <translation>die Betätigung dauert %1 s; ein Export fasst höchstens %2 s</translation>
     </message>
     <message>
         <source>Give a shorter press</source>
-        <translation>Geben Sie einen kürzeren Druck an</translation>
+        <translation>Geben Sie eine kürzere Betätigung an</translation>
     </message>
     <message>
         <source>the parameter curve %1 is left out</source>
@@ -11344,7 +11336,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>commas before a closing bracket are no JSON; they are left out</source>
-        <translation>Kommas vor einer schließenden Klammer sind kein JSON; sie werden ausgelassen</translation>
+        <translation>Kommas vor einer schließenden Klammer sind kein gültiges JSON; sie werden ignoriert</translation>
     </message>
     <message>
         <source>is %1: another edition than those of 2023 and 2025</source>
@@ -11360,7 +11352,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>it passes full scale by a factor of %1 and is turned down</source>
-        <translation>es überschreitet die Vollaussteuerung um den Faktor %1 und wird leiser gestellt</translation>
+        <translation>es überschreitet die Vollaussteuerung um den Faktor %1 und wird abgeschwächt</translation>
     </message>
     <message>
         <source>holds nothing that sounds</source>
@@ -11420,7 +11412,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>holds a number no double can hold: %1</source>
-        <translation>enthält eine Zahl, die als Gleitkommazahl nicht darstellbar ist: %1</translation>
+        <translation>enthält eine Zahl außerhalb des darstellbaren Bereichs: %1</translation>
     </message>
     <message>
         <source>Correct the number</source>
@@ -11480,7 +11472,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>no = in the line</source>
-        <translation>kein = in der Zeile</translation>
+        <translation>in der Zeile fehlt „=“</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -11528,7 +11520,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>none of its %1 readings can be one: each is no number or out of range</source>
-        <translation>keiner seiner %1 Messwerte kann einer sein: jeder ist keine Zahl oder außerhalb des Bereichs</translation>
+        <translation>keiner seiner %1 Messwerte ist brauchbar: Jeder ist keine Zahl oder liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>Give forces in N, as a finger presses</source>
@@ -11596,7 +11588,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has a sample that is no number, the %1th</source>
-        <translation>hat einen Wert, der keine Zahl ist, den %1.</translation>
+        <translation>hat einen Wert, der keine Zahl ist (Nr. %1)</translation>
     </message>
     <message>
         <source>times, force or sensor rate lie outside their ranges</source>
@@ -11692,7 +11684,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Take it away</source>
-        <translation>Nehmen Sie es weg</translation>
+        <translation>Entfernen Sie es</translation>
     </message>
     <message>
         <source>was cancelled</source>
@@ -11704,7 +11696,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>presses by itself: a sensor would be a second finger</source>
-        <translation>drückt selbst: Ein Sensor wäre ein zweiter Finger</translation>
+        <translation>drückt selbst, daher lässt sich kein Kraftsensor dazu verwenden</translation>
     </message>
     <message>
         <source>Leave one of both out</source>
@@ -11712,7 +11704,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>would run the one button that was uploaded; a study exchanges buttons</source>
-        <translation>würde den einen Taster ausführen, der übertragen wurde; eine Studie tauscht Taster aus</translation>
+        <translation>würde den einen Taster ausführen, der übertragen wurde; eine Studie wechselt zwischen Tastern</translation>
     </message>
     <message>
         <source>Choose it without uploading a table</source>
@@ -11764,7 +11756,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Give trial,press_s, one row for each press, in seconds behind the cue</source>
-        <translation>Geben Sie trial,press_s an, eine Zeile für jeden Druck, in Sekunden nach dem Zeichen</translation>
+        <translation>Geben Sie trial,press_s an, eine Zeile für jeden Tastendruck, in Sekunden nach dem Zeichen</translation>
     </message>
     <message>
         <source>does not name trial and press_s</source>
@@ -11780,7 +11772,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>holds no press</source>
-        <translation>enthält keinen Druck</translation>
+        <translation>enthält keinen Tastendruck</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a way to answer</source>
@@ -11788,7 +11780,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>presses answer timing studies only</source>
-        <translation>Drücke beantworten nur Studien des Timings</translation>
+        <translation>Tastendrücke beantworten nur Studien des Timings</translation>
     </message>
     <message>
         <source>answers no timing study</source>
@@ -11804,7 +11796,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>a place of tapping is the seconds between presses</source>
-        <translation>beim Tippen ist die Stelle die Zeit in Sekunden zwischen zwei Drücken</translation>
+        <translation>beim Tippen ist die Stelle die Zeit in Sekunden zwischen zwei Tastendrücken</translation>
     </message>
     <message>
         <source>Give 0.01 or more</source>
@@ -11908,7 +11900,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Check the folder, its rights and the free space</source>
-        <translation>Prüfen Sie den Ordner, seine Rechte und den freien Platz</translation>
+        <translation>Prüfen Sie den Ordner, seine Zugriffsrechte und den freien Platz</translation>
     </message>
     <message>
         <source>Check the folder above it</source>
@@ -11936,11 +11928,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Check the folder above it and its rights</source>
-        <translation>Prüfen Sie den Ordner darüber und seine Rechte</translation>
+        <translation>Prüfen Sie den Ordner darüber und seine Zugriffsrechte</translation>
     </message>
     <message>
         <source>it tells no error, and does not reach closed-loop control</source>
-        <translation>sie meldet keinen Fehler und erreicht die Regelung nicht</translation>
+        <translation>sie meldet keinen Fehler, erreicht aber die Regelung nicht</translation>
     </message>
     <message>
         <source>invalid state</source>
@@ -11956,7 +11948,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>encoder failed</source>
-        <translation>Weggeber gestört</translation>
+        <translation>Encoder gestört</translation>
     </message>
     <message>
         <source>controller failed</source>
@@ -12012,7 +12004,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Check the folder, its rights and the free space, then try again</source>
-        <translation>Prüfen Sie den Ordner, seine Rechte und den freien Platz und versuchen Sie es noch einmal</translation>
+        <translation>Prüfen Sie den Ordner, seine Zugriffsrechte und den freien Platz und versuchen Sie es noch einmal</translation>
     </message>
     <message>
         <source>state %1</source>
@@ -12104,19 +12096,19 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>This computer is late: it takes %1 ms to pass a line to itself. Close what else runs and allow real-time scheduling (docs/guide/force-feedback.md)</source>
-        <translation>Dieser Rechner ist zu spät: er braucht %1 ms, um sich selbst eine Zeile zu senden. Andere Programme schließen und Echtzeit erlauben (docs/guide/force-feedback.md)</translation>
+        <translation>Dieser Rechner reagiert zu langsam: Er braucht %1 ms, um sich selbst eine Zeile zu senden. Andere Programme schließen und Echtzeit-Scheduling erlauben (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
         <source>The device is late. Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
-        <translation>Das Gerät ist zu spät. Die Verbindung beschleunigen: natives USB, höheres --baud, FTDI-Latenz von 1 ms; oder --upload, damit das Gerät selbst regelt</translation>
+        <translation>Das Gerät reagiert zu langsam. Die Verbindung beschleunigen: natives USB, höheres --baud, FTDI-Latenz von 1 ms; oder --upload, damit das Gerät die Kraft selbst berechnet</translation>
     </message>
     <message>
         <source>Friction of %1 N or an encoder step of %2 mm would carry it</source>
-        <translation>Eine Reibung von %1 N oder ein Encoderschritt von %2 mm würde genügen</translation>
+        <translation>Eine Reibung von %1 N oder ein Encoderschritt von %2 mm würde es stabil machen</translation>
     </message>
     <message>
         <source>More damping of the handle, a quicker loop (--rate) or a shorter delay would carry it</source>
-        <translation>Mehr Dämpfung des Griffs, eine schnellere Schleife (--rate) oder eine kürzere Verzögerung würde genügen</translation>
+        <translation>Mehr Dämpfung des Griffs, eine schnellere Schleife (--rate) oder eine kürzere Verzögerung würde es stabil machen</translation>
     </message>
     <message>
         <source>control points count from their curve&apos;s Time; the curve at %1 s seems to count them from the pattern&apos;s beginning and is played later than meant</source>
@@ -12144,11 +12136,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Turn it by hand: a position that stays the same means a dead encoder. Else free the handle, take the finger off, and try again</source>
-        <translation>Von Hand drehen: bleibt die Position gleich, ist der Encoder tot. Sonst den Griff frei machen, den Finger wegnehmen und noch einmal versuchen</translation>
+        <translation>Von Hand drehen: Bleibt die Position gleich, ist der Encoder defekt. Sonst den Griff frei machen, den Finger wegnehmen und noch einmal versuchen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no name of a site</source>
-        <translation>„%1“ ist kein Name eines Standorts</translation>
+        <translation>„%1“ ist kein gültiger Name eines Standorts</translation>
     </message>
     <message>
         <source>Give --sites of letters, digits, - and _</source>
@@ -12172,7 +12164,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>asks for other answers, or of other buttons, than &quot;%1&quot;</source>
-        <translation>fragt nach anderen Antworten oder anderen Tasten als „%1“</translation>
+        <translation>fragt nach anderen Antworten oder verwendet andere Taster als „%1“</translation>
     </message>
     <message>
         <source>Merge copies of one study</source>
@@ -12180,7 +12172,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>was planned with another rule for the unfinished than &quot;%1&quot;</source>
-        <translation>wurde mit einer anderen Regel für Unfertige geplant als „%1“</translation>
+        <translation>wurde mit einer anderen Regel für unfertige Versuchspersonen geplant als „%1“</translation>
     </message>
     <message>
         <source>Merge studies of one plan</source>
@@ -12208,7 +12200,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has a rule for the unfinished that does not exist</source>
-        <translation>hat eine Regel für Unfertige, die es nicht gibt</translation>
+        <translation>hat eine Regel für unfertige Versuchspersonen, die es nicht gibt</translation>
     </message>
     <message>
         <source>knows a feel %1 that does not exist</source>
@@ -12220,7 +12212,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has a participant already: a plan made now could not be kept to</source>
-        <translation>hat schon einen Teilnehmer: ein jetzt gemachter Plan wäre nicht einzuhalten</translation>
+        <translation>hat schon eine Versuchsperson: Ein jetzt gemachter Plan wäre nicht einzuhalten</translation>
     </message>
     <message>
         <source>this is the merged study of several sites: nobody answers in it</source>
@@ -12248,7 +12240,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no address of a web server</source>
-        <translation>„%1“ ist keine Adresse eines Webservers</translation>
+        <translation>„%1“ ist nicht die Adresse eines Webservers</translation>
     </message>
     <message>
         <source>Give one such as https://lab.example/answers</source>
@@ -12256,7 +12248,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>a page is for 1 to %1 participants, not %2</source>
-        <translation>eine Seite ist für 1 bis %1 Teilnehmer, nicht für %2</translation>
+        <translation>eine Seite ist für 1 bis %1 Versuchspersonen, nicht für %2</translation>
     </message>
     <message>
         <source>Name them with --participants, separated by commas</source>
@@ -12276,7 +12268,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Friction of %1 N would carry it</source>
-        <translation>Eine Reibung von %1 N würde genügen</translation>
+        <translation>Eine Reibung von %1 N würde es stabil machen</translation>
     </message>
     <message>
         <source>Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, d-prime=D with D from 0 to 10, timing=PLACE,SPREAD or presses=FILE</source>
@@ -12295,7 +12287,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>cannot be recorded from</source>
-        <translation>kann nicht aufgenommen werden</translation>
+        <translation>es lässt sich nicht davon aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -12306,7 +12298,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>has one output: the masking noise would be felt</source>
-        <translation>hat nur einen Ausgang: Das verdeckende Rauschen wäre zu fühlen</translation>
+        <translation>hat nur einen Ausgang: Das Maskierrauschen wäre zu fühlen</translation>
     </message>
     <message>
         <source>Give the headphones&apos; device as --noise-device</source>
@@ -12332,7 +12324,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::playback::HapticPreparation</name>
     <message>
         <source>with the paper&apos;s levels the click drowns in slope or bottom-out, more than %1 dB below them (jump at %2); --feel clear lets it through</source>
-        <translation>mit den Pegeln der Veröffentlichung geht der Klick in Steigung oder Anschlag unter, mehr als %1 dB darunter (Sprung bei %2); --feel clear lässt ihn durch</translation>
+        <translation>mit den Pegeln der Veröffentlichung wird der Klick von Steigung oder Anschlag maskiert, mehr als %1 dB darunter (Sprung bei %2); --feel clear macht ihn wahrnehmbar</translation>
     </message>
 </context>
 <context>
@@ -12387,7 +12379,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>is not part of this build</source>
-        <translation>gehört nicht zu diesem gebauten Programm</translation>
+        <translation>ist in diesem Programm nicht eingebaut</translation>
     </message>
     <message>
         <source>Build with libjack-jackd2-dev</source>
@@ -12471,7 +12463,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::playback::OdriveForceDevice</name>
     <message>
         <source>axis or travel per turn mean nothing</source>
-        <translation>Achse oder Weg je Umdrehung bedeuten nichts</translation>
+        <translation>die Achse oder der Weg je Umdrehung ist ungültig</translation>
     </message>
     <message>
         <source>Give axis 0 or 1 and a travel that is not 0</source>
@@ -12538,7 +12530,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>holds no press at a time that counts</source>
-        <translation>enthält keinen Druck zu einer Zeit, die zählt</translation>
+        <translation>enthält keinen Tastendruck in der Zeit, die zählt</translation>
     </message>
     <message>
         <source>Press at the cue; in tapping, at least twice</source>
@@ -12557,7 +12549,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::playback::Player</name>
     <message>
         <source>cannot be played without a sound device</source>
-        <translation>kann ohne Tongerät nicht wiedergegeben werden</translation>
+        <translation>kann ohne Audiogerät nicht wiedergegeben werden</translation>
     </message>
     <message>
         <source>Start a player on a device</source>
@@ -12581,7 +12573,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>are none</source>
-        <translation>sind keine</translation>
+        <translation>es gibt keine</translation>
     </message>
     <message>
         <source>have a rate outside 8000..192000 Hz</source>
@@ -12601,7 +12593,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>is the device of the vibration too: the masking noise would be felt</source>
-        <translation>ist auch das Gerät der Vibration: Das verdeckende Rauschen wäre zu fühlen</translation>
+        <translation>ist auch das Gerät der Vibration: Das Maskierrauschen wäre zu fühlen</translation>
     </message>
     <message>
         <source>Leave --noise-device out, or name the headphones&apos; own</source>
@@ -12674,7 +12666,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Take it away</source>
-        <translation>Nehmen Sie es weg</translation>
+        <translation>Entfernen Sie es</translation>
     </message>
     <message>
         <source>is of version %1</source>
@@ -12733,7 +12725,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>does not say back the limits it was given: nothing would hold its force if this program failed</source>
-        <translation>sagt die Grenzen, die es bekam, nicht zurück: Nichts hielte seine Kraft, wenn dieses Programm ausfiele</translation>
+        <translation>bestätigt die Grenzen nicht, die es bekam: Nichts begrenzte seine Kraft, wenn dieses Programm ausfiele</translation>
     </message>
     <message>
         <source>Check that the firmware speaks docs/reference/force-protocol.md and the baud rate is the same</source>
@@ -12788,7 +12780,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Check the name, the cable and your right to use it (group dialout)</source>
-        <translation>Prüfen Sie den Namen, das Kabel und Ihr Recht darauf (Gruppe dialout)</translation>
+        <translation>Prüfen Sie den Namen, das Kabel und Ihre Berechtigung (Gruppe dialout)</translation>
     </message>
     <message>
         <source>is in use by another program</source>
@@ -12876,11 +12868,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>no press is named</source>
-        <translation>kein Druck ist genannt</translation>
+        <translation>keine Betätigung ist angegeben</translation>
     </message>
     <message>
         <source>%1 is no press</source>
-        <translation>%1 ist kein Druck</translation>
+        <translation>%1 ist keine Betätigung</translation>
     </message>
     <message>
         <source>Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or time_s,displacement_mm</source>
@@ -12888,7 +12880,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>A press trace has the header time_s,force_N or time_s,displacement_mm and two numbers per line</source>
-        <translation>Ein Druckverlauf hat den Kopf time_s,force_N oder time_s,displacement_mm und zwei Zahlen je Zeile</translation>
+        <translation>Ein Betätigungsverlauf hat den Kopf time_s,force_N oder time_s,displacement_mm und zwei Zahlen je Zeile</translation>
     </message>
 </context>
 </TS>

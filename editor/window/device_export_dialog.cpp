@@ -32,33 +32,39 @@ struct FormatWords {
 std::vector<FormatWords> FormatWords::all() {
   return {
       {ExportFormat::package, tr("Detent package (JSON)"),
-       tr("Everything: thresholds of force, waves, curve and filters, for a player of your own."), ".json"},
+       tr("Everything: force thresholds, waveforms, curve and filters, for your own player."), ".json"},
       {ExportFormat::cHeader, tr("Firmware (C header)"),
-       tr("Thresholds, waves and curve for a microcontroller. Without the filters, equalizer and limiter."),
+       tr("Force thresholds, waveforms and curve for a microcontroller. Without the filters, equalizer and "
+          "limiter."),
        ".h"},
       {ExportFormat::ahap, tr("iPhone (AHAP)"),
-       tr("Two files, press and release, of 80 to 230 Hz. The finger's force no longer decides."), ".ahap"},
+       tr("Two files, press and release, 80 to 230 Hz. Plays over time; the finger's force has no effect."),
+       ".ahap"},
       {ExportFormat::haptic, tr("Meta and Lofelt (.haptic)"),
-       tr("One oscillator of 80 to 230 Hz. The finger's force no longer decides."), ".haptic"},
+       tr("One oscillator, 80 to 230 Hz. Plays over time; the finger's force has no effect."), ".haptic"},
       {ExportFormat::android, tr("Android (Kotlin)"),
-       tr("Press and release as envelopes, nothing shorter than 20 ms. The finger's force no longer "
-          "decides."),
+       tr("Press and release as envelopes, no part shorter than 20 ms. Plays over time; the finger's force "
+          "has no effect."),
        ".kt"},
       {ExportFormat::openxr, tr("OpenXR (parametric)"),
-       tr("Structures as JSON and, beside it, as a C header. The finger's force no longer decides."),
+       tr("Structures as JSON and, beside it, as a C header. Plays over time; the finger's force has no "
+          "effect."),
        ".json"},
       {ExportFormat::hjif, tr("MPEG haptics (HJIF)"),
-       tr("ISO/IEC 23090-31, the wave as it is. The finger's force no longer decides."), ".hjif"},
+       tr("ISO/IEC 23090-31, with the unchanged waveform. Plays over time; the finger's force has no "
+          "effect."),
+       ".hjif"},
       {ExportFormat::bos1921, tr("Piezo driver BOS1921"),
-       tr("Sines of whole cycles for the driver's memory. The finger's force no longer decides."), ".h"},
+       tr("Whole sine cycles for the driver's memory. Plays over time; the finger's force has no effect."),
+       ".h"},
       {ExportFormat::da728x, tr("Motor driver DA7280, DA7282"),
-       tr("100 bytes of waveform memory; the motor plays its own frequency."), ".h"},
+       tr("100 bytes of waveform memory; the motor vibrates at its own frequency."), ".h"},
       {ExportFormat::drv2605, tr("Motor driver DRV2605"),
-       tr("One amplitude every 5 ms; the motor plays its own frequency."), ".h"},
+       tr("One amplitude every 5 ms; the motor vibrates at its own frequency."), ".h"},
       {ExportFormat::pcm, tr("Samples (C array)"),
-       tr("The wave as numbers. The finger's force no longer decides."), ".h"},
+       tr("The waveform as numbers. Plays over time; the finger's force has no effect."), ".h"},
       {ExportFormat::touchpad, tr("Haptic touchpad"),
-       tr("Threshold of 110 to 190 g and intensity; the pad plays its own waves."), ".json"},
+       tr("Force threshold of 110 to 190 g, and intensity; the touchpad plays its own waveforms."), ".json"},
   };
 }
 
@@ -87,12 +93,13 @@ QString energyWords(const playback::ExportLoss& loss) {
 QString lossWords(const playback::ExportLoss& loss) {
   return energyWords(loss) + QStringLiteral("\n") +
          DeviceExportDialog::tr(
-             "Worst error in time: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz")
+             "Largest timing error: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz")
              .arg(numberText(loss.worstTimingError_ms, 3), QString::number(loss.grainsMerged),
                   numberText(loss.frequencyMoved_Hz, 3)) +
          (loss.cut
-              ? QStringLiteral("\n") + DeviceExportDialog::tr("The format has no room for the whole press: "
-                                                              "its end is cut off. The file says where.")
+              ? QStringLiteral("\n") +
+                    DeviceExportDialog::tr(
+                        "The format cannot hold the whole press: its end is cut off. The file states where.")
               : QString());
 }
 
@@ -105,8 +112,8 @@ DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
                         tr("Target format of the press"))),
       rate_(numbers("deviceRate", tr("Samples per second"), rates_Hz, QStringLiteral("Hz"), 48000)),
       bits_(numbers("deviceBits", tr("Bits of a sample"), sampleBits, tr("bits"), 16)),
-      wayDown_(described(new QSpinBox, QStringLiteral("deviceWayDown"), tr("How long the finger goes down"),
-                         tr("How long the finger goes down"))),
+      wayDown_(described(new QSpinBox, QStringLiteral("deviceWayDown"), tr("Duration of the press stroke"),
+                         tr("Duration of the press stroke"))),
       purpose_(described(new QLabel, QStringLiteral("devicePurpose"))),
       loss_(described(new QLabel, QStringLiteral("deviceLoss"))),
       form_(new QFormLayout) {
@@ -118,7 +125,7 @@ DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
   wayDown_->setValue(120);
   wayDown_->setSuffix(QStringLiteral(" ms"));
   form_->addRow(tr("&Device:"), format_);
-  form_->addRow(tr("Way &down of the press:"), wayDown_);
+  form_->addRow(tr("Press &stroke duration:"), wayDown_);
   form_->addRow(tr("&Rate:"), rate_);
   form_->addRow(tr("&Bits:"), bits_);
   auto* layout = new QVBoxLayout(this);
@@ -132,7 +139,7 @@ DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
   loss_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   accept_ = described(buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole),
-                      QStringLiteral("deviceExport"), tr("Choose where the file goes, and write it"));
+                      QStringLiteral("deviceExport"), tr("Choose a location and write the file"));
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   layout->addWidget(buttons);

@@ -60,10 +60,10 @@ void ExportController::csv(DocumentTab& tab) {
 void ExportController::csvAt(DocumentTab& tab) {
   const ButtonDocument& document = tab.document();
   const DisplayUnits& units = at_.view.units();
-  const auto typed =
-      at_.prompts.text(&at_.window, tr("Samples at given travels"),
-                       tr("Step, or travels with spaces between them, in %1:").arg(units.lengthSymbol()),
-                       QStringLiteral("0.1 mm"));
+  const auto typed = at_.prompts.text(
+      &at_.window, tr("Samples at given travels"),
+      tr("Step, or travels separated by spaces or semicolons, in %1:").arg(units.lengthSymbol()),
+      QStringLiteral("0.1 mm"));
   if (!typed) return;
   const auto travels_mm = travelsFrom(*typed, document.graph(), units);
   if (!travels_mm)
@@ -133,7 +133,7 @@ void ExportController::tracedProject(DocumentTab& tab) {
 }
 
 void ExportController::page(DocumentTab& tab) {
-  write(tab, tr("Share as a page"), tr("Web page") + " (*.html)", ".html",
+  write(tab, tr("Share as web page"), tr("Web page") + " (*.html)", ".html",
         [&](const QString& path) { return exportPage({tab.document().button()}, path); });
 }
 

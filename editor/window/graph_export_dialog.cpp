@@ -58,7 +58,7 @@ int indexOf(const Units& units, Unit unit) {
 GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, QWidget* parent)
     : QDialog(parent),
       button_(std::move(button)),
-      picture_(described(new QLabel, QStringLiteral("graphPicture"), {}, tr("What comes out"))),
+      picture_(described(new QLabel, QStringLiteral("graphPicture"), {}, tr("Preview"))),
       refusal_(described(new QLabel, QStringLiteral("graphRefusal"))) {
   setObjectName(QStringLiteral("graphExportDialog"));
   setWindowTitle(tr("Export the graph"));
@@ -79,7 +79,7 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
   columns->addWidget(picture_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   accept_ = described(buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole),
-                      QStringLiteral("graphExport"), tr("Choose where the file goes, and write it"));
+                      QStringLiteral("graphExport"), tr("Choose a location and write the file"));
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
@@ -135,15 +135,16 @@ QFormLayout* GraphExportDialog::madeFor() {
 
 QFormLayout* GraphExportDialog::axes() {
   auto* form = new QFormLayout;
-  language_ = choiceOf("graphLanguage", tr("Language of the words"),
+  language_ = choiceOf("graphLanguage", tr("Language of the labels"),
                        {QStringLiteral("English"), QStringLiteral("Deutsch")});
-  decimalSign_ = choiceOf("graphDecimalSign", tr("Decimal sign"), {tr("Point (1.5)"), tr("Comma (1,5)")});
+  decimalSign_ =
+      choiceOf("graphDecimalSign", tr("Decimal separator"), {tr("Point (1.5)"), tr("Comma (1,5)")});
   length_ = choiceOf("graphLength", tr("Unit of the displacement"), symbolsOf(offeredLengthUnits));
   force_ = choiceOf("graphForce", tr("Unit of the force"), symbolsOf(offeredForceUnits));
   second_ = choiceOf("graphSecond", tr("Unit of a second scale at the right side"),
                      QStringList(tr("none")) + symbolsOf(offeredForceUnits));
-  form->addRow(tr("&Language:"), language_);
-  form->addRow(tr("&Decimal sign:"), decimalSign_);
+  form->addRow(tr("Lan&guage:"), language_);
+  form->addRow(tr("&Decimal separator:"), decimalSign_);
   form->addRow(tr("D&isplacement in:"), length_);
   form->addRow(tr("Fo&rce in:"), force_);
   form->addRow(tr("Second s&cale:"), second_);
@@ -151,9 +152,9 @@ QFormLayout* GraphExportDialog::axes() {
   xTo_ = axisEnd("graphXTo", tr("Where the displacement axis ends"), Quantity::length);
   yFrom_ = axisEnd("graphYFrom", tr("Where the force axis begins"), Quantity::force);
   yTo_ = axisEnd("graphYTo", tr("Where the force axis ends"), Quantity::force);
-  form->addRow(tr("Dis&placement from:"), xFrom_);
+  form->addRow(tr("Displ&acement from:"), xFrom_);
   form->addRow(tr("to:"), xTo_);
-  form->addRow(tr("Forc&e from:"), yFrom_);
+  form->addRow(tr("Force fro&m:"), yFrom_);
   form->addRow(tr("to:"), yTo_);
   return form;
 }
@@ -173,11 +174,10 @@ QFormLayout* GraphExportDialog::shown() {
   callouts_ = checkOf("graphCallouts", tr("&Label points"),
                       tr("Tactile points, operating and reset point and bottom-out, with their values"));
   dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
-  tolerance_ = fieldOf("graphTolerance", tr("Tolerance band: this force above and below the press"),
-                       Quantity::share, {0, widestTolerance});
-  toleranceForce_ =
-      fieldOf("graphToleranceForce", tr("A band about the press so much force above and below it"),
-              Quantity::force, {0, widestTolerance_N});
+  tolerance_ = fieldOf("graphTolerance", tr("Tolerance band, as a share of the press force"), Quantity::share,
+                       {0, widestTolerance});
+  toleranceForce_ = fieldOf("graphToleranceForce", tr("Tolerance band, as a force above and below the press"),
+                            Quantity::force, {0, widestTolerance_N});
   for (QuantityField* field : {tolerance_, toleranceForce_}) field->setLowestText(tr("none"));
   for (QCheckBox* box : {monochrome_, callouts_, dimensions_}) form->addRow(box);
   form->addRow(tr("&Tolerance ±:"), tolerance_);
@@ -250,7 +250,10 @@ QString GraphExportDialog::refusal() const {
        {width_, height_, xFrom_, xTo_, yFrom_, yTo_, tolerance_, toleranceForce_})
     if (!field->acceptable()) return field->accessibleName() + QStringLiteral(": ") + field->refusal();
   const SvgPlotStyle style = choice().style;
-  if (!hasRoom(style)) return tr("The font is too large for this size: there is no room for the curves.");
+  if (!hasRoom(style))
+    return tr(
+        "The font is too large for this size: there is no room for the curves. Choose a smaller font or a "
+        "larger graph.");
   for (const auto& ends : {style.xEnds, style.yEnds})
     if (ends && !(ends->lowest < ends->highest))
       return tr("An axis must begin below its end. Type a smaller start or a larger end.");

@@ -80,7 +80,7 @@ QString averageWords(const UnitSpread& spread, const QStringList& titles, const 
         figure.figure != KeyFigure::preTravel)
       continue;
     if (!figure.sd)
-      sentences << AverageWords::tr("%1: %2, of one alone.")
+      sentences << AverageWords::tr("%1: %2 (one button only).")
                        .arg(termOf(figure.figure), quantityWithUnit(figure.mean, quantity, units, 4));
     else
       sentences << AverageWords::tr("%1: %2 ± %3.")
@@ -227,6 +227,7 @@ void MainWindow::showView(CentreView view) {
         std::min(feelArea_->widget()->sizeHint().height(), static_cast<int>(mostForFeel * all_px));
     editing->setSizes({all_px - feel_px, feel_px});
   }
+  for (QAction* tool : toolMenu_.shown) tool->setVisible(view != CentreView::compare);
   putDocksAway(view != CentreView::edit || !tabs_->current());
   if (view == CentreView::feel) feel_->setFocus();
   if (view == CentreView::edit && tabs_->current()) tabs_->current()->workspace().setFocus();
@@ -321,8 +322,8 @@ void MainWindow::makeFeelPanel() {
   });
   connect(&session_->force(), &ForceSession::marginChanged, this, &MainWindow::showMargin);
   other_ = described(new QComboBox, "feelOther",
-                     tr("The second button (B): press it in exchange with the one shown"),
-                     tr("Button B to exchange with"));
+                     tr("The second button (B), pressed alternately with the one shown"),
+                     tr("Button B, for comparison"));
   connect(other_, &QComboBox::activated, this, &MainWindow::chooseOther);
   auto* label = new QLabel(tr("Compare &with:"));
   label->setBuddy(other_);
@@ -855,9 +856,10 @@ void MainWindow::print(DocumentTab& tab) {
   printer.setDocName(tab.document().title());
   if (!at_.prompts.printer(this, printer)) return;
   const bool printed = printGraph(printer, tab.document(), at_.view);
-  statusBar()->showMessage(printed ? tr("Printed %1.").arg(tab.document().title())
-                                   : tr("The printer took nothing. Choose another one, or print to a file."),
-                           messageTime_ms);
+  statusBar()->showMessage(
+      printed ? tr("Printed %1.").arg(tab.document().title())
+              : tr("The printer did not accept the print job. Choose another one, or print to a file."),
+      messageTime_ms);
 }
 
 // Out of every table and list, and back: graph, values and what stands with them, feel, library.

@@ -73,7 +73,7 @@ void MainWindow::makeFileActions() {
                          tr("Import files or a folder in the background, with a list of results"),
                          QKeySequence("Ctrl+Alt+I"), [this] { files_->importMany(); }));
   menu->addAction(action("trySample", tr("&Try a sample datasheet"),
-                         tr("Import a sheet that comes with Detent, to see how it goes"),
+                         tr("Import a datasheet that comes with Detent, to see how it works"),
                          QKeySequence("Ctrl+Alt+T"), [this] { files_->importSample(); }));
   recentMenu_ = menu->addMenu(tr("Open &recent"));
   recentMenu_->setObjectName("recentMenu");
@@ -85,26 +85,26 @@ void MainWindow::makeFileActions() {
                             QKeySequence("Ctrl+Shift+S"), [this](DocumentTab& tab) { files_->saveAs(tab); }));
   menu->addAction(tabAction("saveAll", tr("Save a&ll"), tr("Save every button with unsaved changes"),
                             QKeySequence("Ctrl+Alt+S"), [this](DocumentTab&) { files_->saveAll(); }));
-  keepPage_ = tabAction("keepPage", tr("&Keep the page in the file"),
-                        tr("Save the part of the page around the graph with the button, for where the sheet "
-                           "is not at hand"),
-                        QKeySequence("Ctrl+Alt+P"), [this](DocumentTab& tab) {
-                          files_->sheets().keepPage(tab.document(), keepPage_->isChecked());
-                          updateKeepPage();
-                        });
+  keepPage_ = tabAction(
+      "keepPage", tr("&Keep the page in the file"),
+      tr("Save the part of the page around the graph with the button, for when the datasheet is not at hand"),
+      QKeySequence("Ctrl+Alt+P"), [this](DocumentTab& tab) {
+        files_->sheets().keepPage(tab.document(), keepPage_->isChecked());
+        updateKeepPage();
+      });
   keepPage_->setCheckable(true);
   menu->addAction(keepPage_);
   QMenu* exports = menu->addMenu(tr("&Export"));
   exports->setObjectName("exportMenu");
   exports->setToolTipsVisible(true);
-  exports->addAction(
-      tabAction("exportPng", tr("&Picture (PNG)…"),
-                tr("Write a picture of the graph, 2400 by 1600 pixels. The button is stored inside: Detent "
-                   "opens it again"),
-                QKeySequence("Ctrl+E"), [this](DocumentTab& tab) { files_->exports().png(tab); }));
+  exports->addAction(tabAction("exportPng", tr("&Picture (PNG)…"),
+                               tr("Write a picture of the graph, 2400 by 1600 pixels. It contains the "
+                                  "button, so that Detent can open it again"),
+                               QKeySequence("Ctrl+E"),
+                               [this](DocumentTab& tab) { files_->exports().png(tab); }));
   exports->addAction(
       tabAction("exportGraph", tr("&Graph for datasheet, paper or slide…"),
-                tr("Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit"),
+                tr("Write the graph ready for print: SVG, PDF or PNG in any size, language and unit"),
                 QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exports().graph(tab); }));
   exports->addAction(
       tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
@@ -115,27 +115,27 @@ void MainWindow::makeFileActions() {
          "with decimal commas read them"),
       QKeySequence("Ctrl+Alt+Shift+E"), [this](DocumentTab& tab) { files_->exports().semicolonCsv(tab); }));
   exports->addAction(
-      tabAction("exportCsvAt", tr("Samples at given t&ravels (CSV)…"),
+      tabAction("exportCsvAt", tr("Samples &at given travels (CSV)…"),
                 tr("Write press and release at even steps of travel, or at the travels you type"),
                 QKeySequence("Ctrl+Alt+R"), [this](DocumentTab& tab) { files_->exports().csvAt(tab); }));
   exports->addAction(tabAction(
       "exportDataPackage", tr("Data pac&kage (Frictionless)…"),
-      tr("Write a folder of tables, curve and key figures, with a description of every column and its unit"),
+      tr("Write a folder of tables (curve and key figures), with a description of every column and its unit"),
       QKeySequence("Ctrl+Alt+F"), [this](DocumentTab& tab) { files_->exports().dataPackage(tab); }));
   exports->addAction(tabAction(
-      "exportTracedProject", tr("P&roject of WebPlotDigitizer…"),
+      "exportTracedProject", tr("WebPlotDigitizer p&roject…"),
       tr("Write the state shown as a project that WebPlotDigitizer opens, axes in the units shown"),
       QKeySequence("Ctrl+Alt+J"), [this](DocumentTab& tab) { files_->exports().tracedProject(tab); }));
   exports->addAction(tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
                                tr("Export the vibration of a standard press (WAV, mono, 48 kHz)"),
                                QKeySequence("Ctrl+Alt+W"),
                                [this](DocumentTab& tab) { files_->exports().wav(tab); }));
-  exports->addAction(tabAction("exportDevice", tr("For a &device…"),
-                               tr("Write a press for phones, headsets, driver chips, firmware and touchpads"),
-                               QKeySequence("Ctrl+Alt+V"),
-                               [this](DocumentTab& tab) { files_->exports().device(tab); }));
+  exports->addAction(
+      tabAction("exportDevice", tr("For a &device…"),
+                tr("Export a press for phones, headsets, driver chips, firmware and touchpads"),
+                QKeySequence("Ctrl+Alt+V"), [this](DocumentTab& tab) { files_->exports().device(tab); }));
   menu->addAction(
-      tabAction("sharePage", tr("S&hare as a page…"),
+      tabAction("sharePage", tr("S&hare as web page…"),
                 tr("Write a web page that anyone can open and press, with nothing else installed"),
                 QKeySequence("Ctrl+Alt+H"), [this](DocumentTab& tab) { files_->exports().page(tab); }));
   menu->addSeparator();
@@ -144,19 +144,19 @@ void MainWindow::makeFileActions() {
   menu->addSeparator();
   menu->addAction(tabAction("close", tr("&Close"), tr("Close this button"), QKeySequence("Ctrl+W"),
                             [this](DocumentTab& tab) { files_->close(tab); }));
-  menu->addAction(
-      action("quit", tr("&Quit"), tr("Close everything"), QKeySequence("Ctrl+Q"), [this] { close(); }));
+  menu->addAction(action("quit", tr("&Quit"), tr("Close all buttons and quit"), QKeySequence("Ctrl+Q"),
+                         [this] { close(); }));
 }
 
 void MainWindow::makeEditActions() {
   editMenu_.menu = menuOf(menuBar(), tr("&Edit"), "editMenu");
   QMenu* menu = editMenu_.menu;
-  undo_ = tabAction("undo", tr("&Undo"), tr("Take the last step back"), QKeySequence("Ctrl+Z"),
-                    [](DocumentTab& tab) {
-                      EditHistory& history = tab.document().history();
-                      history.dragging() ? history.cancelDrag() : history.stack().undo();
-                    });
-  redo_ = tabAction("redo", tr("&Redo"), tr("Do the step again"), QKeySequence("Ctrl+Shift+Z"),
+  undo_ =
+      tabAction("undo", tr("&Undo"), tr("Undo the last step"), QKeySequence("Ctrl+Z"), [](DocumentTab& tab) {
+        EditHistory& history = tab.document().history();
+        history.dragging() ? history.cancelDrag() : history.stack().undo();
+      });
+  redo_ = tabAction("redo", tr("&Redo"), tr("Redo the last undone step"), QKeySequence("Ctrl+Shift+Z"),
                     [](DocumentTab& tab) {
                       if (!tab.document().history().dragging()) tab.document().history().stack().redo();
                     });
@@ -164,10 +164,10 @@ void MainWindow::makeEditActions() {
   menu->addAction(undo_);
   menu->addAction(redo_);
   menu->addSeparator();
-  menu->addAction(action("paste", tr("&Paste"),
-                         tr("Import the picture or file in the clipboard, or put copied points or a copied "
-                            "button in"),
-                         QKeySequence("Ctrl+V"), [this] { paste(); }));
+  menu->addAction(
+      action("paste", tr("&Paste"),
+             tr("Import the picture or file on the clipboard, or paste copied points or a copied button"),
+             QKeySequence("Ctrl+V"), [this] { paste(); }));
   menu->addAction(tabAction("duplicate", tr("&Duplicate"), tr("Open a copy of this button in a new tab"),
                             QKeySequence("Ctrl+D"), [this](DocumentTab& tab) { duplicateButton(tab); }));
   menu->addAction(tabAction("copyPicture", tr("&Copy as picture"), tr("Copy a picture of the graph"),
@@ -202,8 +202,8 @@ void MainWindow::makeViewActions() {
     return own;
   };
   showEdit_ = view("edit", tr("&Edit"), tr("Show the graph and its inspector"), "Alt+0", CentreView::edit);
-  showCompare_ = view("compare", tr("&Compare"), tr("Show buttons over each other, with their differences"),
-                      "Ctrl+K", CentreView::compare);
+  showCompare_ = view("compare", tr("&Compare"), tr("Overlay buttons and show their differences"), "Ctrl+K",
+                      CentreView::compare);
   showFeel_ = view("feel", tr("Fee&l"), tr("Press the button, hear it and see its vibration"), "Alt+4",
                    CentreView::feel);
   menu->addSeparator();
@@ -214,9 +214,9 @@ void MainWindow::makeViewActions() {
   unitMenu_->setObjectName("unitMenu");
   makeUnitActions(unitMenu_);
   menu->addSeparator();
-  menu->addAction(action("nextPanel", tr("&Next panel"), tr("Leave a table or list for the next panel"),
+  menu->addAction(action("nextPanel", tr("&Next panel"), tr("Move the focus to the next panel"),
                          QKeySequence("F6"), [this] { focusNextPanel(1); }));
-  menu->addAction(action("previousPanel", tr("Pre&vious panel"), tr("Back to the panel before"),
+  menu->addAction(action("previousPanel", tr("Pre&vious panel"), tr("Move the focus to the previous panel"),
                          QKeySequence("Shift+F6"), [this] { focusNextPanel(-1); }));
   for (QDockWidget* dock : QList<QDockWidget*>{libraryDock_} + inspectorDocks())
     for (QAction* own : ownActions_)
@@ -261,10 +261,10 @@ void MainWindow::makeWindowActions() {
   buttonMenu_ = menuOf(menuBar(), tr("&Button"), "buttonMenu");
   QMenu* menu = buttonMenu_;
   menu->addAction(tabAction("morph", tr("&Blend two buttons…"),
-                            tr("Make a button on the way from one open button to another"),
-                            QKeySequence("Ctrl+Alt+B"), [this](DocumentTab& tab) { morph(tab); }));
+                            tr("Create a button between two open buttons"), QKeySequence("Ctrl+Alt+B"),
+                            [this](DocumentTab& tab) { morph(tab); }));
   menu->addAction(tabAction("average", tr("&Average open buttons…"),
-                            tr("Make one button of several samples of it, and say how far they scatter"),
+                            tr("Create the mean of several units of one button, and show their spread"),
                             QKeySequence("Ctrl+Alt+A"), [this](DocumentTab& tab) { average(tab); }));
   menu->addAction(action("forecasts", tr("Predicted &confusion…"),
                          tr("Predict for all open buttons which of them people will confuse"),
@@ -273,7 +273,7 @@ void MainWindow::makeWindowActions() {
                          tr("Look through thousands of measured switches: table, map, curves"),
                          QKeySequence("Ctrl+M"), [this] { showMeasured(); }));
   menu->addAction(tabAction(
-      "feelsLike", tr("What &feels like this?…"), tr("List the measured switches nearest to this button"),
+      "feelsLike", tr("&Find similar switches…"), tr("List the measured switches nearest to this button"),
       QKeySequence("Ctrl+Alt+M"), [this](DocumentTab& tab) { showMeasured().askFor(tab.document()); }));
   menu->addAction(action("study", tr("&Study with people…"),
                          tr("Ask people whether they can tell buttons apart"), QKeySequence("Ctrl+Alt+K"),
@@ -378,7 +378,7 @@ void MainWindow::fillReferences(QMenu& menu) {
   };
   add(tr("&None"), {});
   add(tr("This button as it is &now"),
-      Reference{canvas.state(), tr("%1, kept").arg(tab->document().title())});
+      Reference{canvas.state(), tr("%1 (version)").arg(tab->document().title())});
   menu.addSeparator();
   for (ButtonDocument* document : tabs_->documents())
     if (document != &tab->document())
@@ -416,12 +416,11 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About Detent"),
-                     tr("<b>Detent %1</b><p>From a printed force graph to a "
-                        "button you can feel.</p>"
-                        "<p>GPL-3.0-or-later. After S. Kim and G. Lee, UIST "
-                        "2013, and P. Shrestha.</p>")
-                         .arg(QCoreApplication::applicationVersion()));
+  QMessageBox::about(
+      this, tr("About Detent"),
+      tr("<b>Detent %1</b><p>From a printed force graph to a button you can feel.</p><p>GPL-3.0-or-later. "
+         "Based on work by S. Kim and G. Lee, UIST 2013, and P. Shrestha.</p>")
+          .arg(QCoreApplication::applicationVersion()));
 }
 
 }  // namespace detent::editor

@@ -75,7 +75,7 @@ MarginOverlay::MarginOverlay(GraphCanvas& canvas, const ButtonDocument& document
     : QWidget(&canvas), canvas_(canvas), document_(document) {
   setObjectName("marginOverlay");
   setAttribute(Qt::WA_TransparentForMouseEvents);
-  setAccessibleName(tr("Slopes that the force device bears"));
+  setAccessibleName(tr("Slopes that the force device can stably render"));
   setGeometry(canvas.rect());
   canvas.installEventFilter(this);
   connect(&canvas, &UnitPlot::viewChanged, this, qOverload<>(&QWidget::update));
@@ -122,7 +122,7 @@ void MarginOverlay::paintWorst(QPainter& painter, const PlotMapping& map, const 
   for (const playback::UnstableStretch& stretch : worst) {
     const double at_mm = stretch.worst.displacement_mm;
     const QString text =
-        tr("%1, bears %2")
+        tr("%1, device limit %2")
             .arg(quantityWithUnit(stretch.worst.slope_N_per_mm, Quantity::slope, units, 3),
                  quantityWithUnit(stretch.worst.allowed_N_per_mm, Quantity::slope, units, 3));
     const QPointF at = map.toPixel(at_mm, state.graph.press().force_N(at_mm)) - QPointF(0, tagAbove_px);

@@ -94,7 +94,7 @@ void PreferencesDialog::makeLanguageChoice(QFormLayout& form, const QStringList&
   note->setText(tr("The language changes when Detent is restarted."));
   connect(language, &QComboBox::activated, this,
           [this, language] { settings_.setValue(languageKey, language->currentData()); });
-  form.addRow(tr("&Language:"), language);
+  form.addRow(tr("Lan&guage:"), language);
   form.addRow(QString(), note);
 }
 

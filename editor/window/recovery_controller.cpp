@@ -30,7 +30,7 @@ void RecoveryController::say(const QList<LeftBehind>& left) {
 }
 
 void RecoveryController::discard(const QList<LeftBehind>& left) {
-  if (!at_.prompts.confirm(&at_.window, tr("Throw the unsaved changes away for good?"), tr("Throw away")))
+  if (!at_.prompts.confirm(&at_.window, tr("Discard the unsaved changes permanently?"), tr("Discard")))
     return say(left);
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }

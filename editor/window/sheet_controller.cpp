@@ -70,7 +70,7 @@ ImportDialog& SheetController::dialog() {
     at_.recovery.dropImport();
   });
   importing_->setLeaveQuestion([this] {
-    return at_.prompts.confirm(importing_, tr("Discard the corrections of this sheet?"), tr("Discard"));
+    return at_.prompts.confirm(importing_, tr("Discard the corrections of this datasheet?"), tr("Discard"));
   });
   connect(importing_, &QDialog::accepted, &at_.window, &QWidget::activateWindow);
   connect(importing_, &QDialog::finished, this, &SheetController::startNext, Qt::QueuedConnection);
@@ -144,9 +144,9 @@ void SheetController::keepPage(ButtonDocument& document, bool keep) {
 }
 
 NoticeBar::Choice SheetController::findSheetChoice(ButtonDocument& document) {
-  return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
+  return {"findSheet", tr("Find datasheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
             const QStringList chosen =
-                at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), at_.folder(), importFilters());
+                at_.prompts.filesToOpen(&at_.window, tr("Find datasheet"), at_.folder(), importFilters());
             if (known && !chosen.isEmpty()) pages_.bringBackFrom(*known, chosen.front());
           }};
 }
@@ -161,9 +161,9 @@ void SheetController::connectPages() {
     emit done(tr("Datasheet page of %1 restored.").arg(document->title()));
   });
   connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
-    QString sentence =
-        tr("The sheet this button was read from, %1, is neither beside its file nor where it was last.")
-            .arg(name);
+    QString sentence = tr("The datasheet that this button was read from, %1, is neither next to its file nor "
+                          "at its last location.")
+                           .arg(name);
     if (document->sheet()) sentence += ' ' + tr("The page shown is the one kept in the button's file.");
     say(document, NoticeBar::Kind::information, sentence);
   });

@@ -42,4 +42,14 @@ Point AxisCalibration::toView(Point mm_N) const {
 double AxisCalibration::mmPerPx() const { return unitsPerPx(*this).x; }
 double AxisCalibration::newtonPerPx() const { return unitsPerPx(*this).y; }
 
+std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce) {
+  if (axis.otherQuantity.empty()) return {};
+  return isForce ? Doubt{DoubtCode::otherQuantity,
+                         {"y", axis.otherQuantity},
+                         {{RemedyKind::giveYUnit, "if it is a force all the same"}}}
+                 : Doubt{DoubtCode::otherQuantity,
+                         {"x", axis.otherQuantity},
+                         {{RemedyKind::giveXUnit, "if it is a travel all the same"}}};
+}
+
 }  // namespace detent::importer

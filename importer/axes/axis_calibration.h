@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/frame/plot_frame.h"
+#include "importer/page/findings.h"
 #include "importer/page/progress.h"
 #include "model/units.h"
 
@@ -123,5 +124,8 @@ void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFram
 /// graphs does not need it (5 to 10 ms per line).
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes,
                     const Progress& progress = {});
+
+/// The doubt about an axis that measures neither force nor travel; nullopt without one.
+std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce);
 
 }  // namespace detent::importer

@@ -342,7 +342,7 @@ void ImportDialogTest::strokesAreExchanged() {
   const double peak_N = report(state).press.fit.tactilePoints.front().point.force_N;
   Corrections next = state.current()->history.now();
   next.swapStrokes = true;
-  state.apply(next, "Exchange strokes");
+  state.apply(next, "Swap press and release");
   QVERIFY(again(state));
   QVERIFY(state.current()->last->report);
   QVERIFY(!report(state).seconds.count(importer::ImportStep::trace));
@@ -1223,7 +1223,7 @@ void ImportDialogTest::anotherSheetAsksBeforeCorrectionsGo() {
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QCOMPARE(requests, 0);
   ImportState& state = dialog.findChild<PageView*>()->state();
-  state.correct("Exchange strokes", [](Corrections& c) { c.swapStrokes = true; });
+  state.correct("Swap press and release", [](Corrections& c) { c.swapStrokes = true; });
   dialog.openFile(sample("white-vector.pdf"));
   QCOMPARE(requests, 1);
   QCOMPARE(state.documentName(), QString("two-level-legend.png"));
@@ -1299,6 +1299,11 @@ void ImportDialogTest::theKeyboardReachesEverything() {
   QTest::keyClick(editor, Qt::Key_Escape);
   QVERIFY(!dialog.view->findChild<QLineEdit*>("tickValue"));
   QVERIFY(dialog.isVisible());
+  QTest::keyClick(dialog.view, Qt::Key_Return);
+  editor = dialog.view->findChild<QLineEdit*>("tickValue");
+  QVERIFY(editor);
+  QTest::keyClick(editor, Qt::Key_Return);  // takes the value; the page must not take the key as well
+  QVERIFY(!dialog.view->findChild<QLineEdit*>("tickValue"));
   for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(&dialog)) continue;
     const auto* button = qobject_cast<const QAbstractButton*>(widget);
