@@ -13,9 +13,9 @@ inline constexpr int travelTableEntries = 256;
 
 /// Displacements in whole micrometres at evenly spaced readings from rest to the end of the travel.
 struct TravelTable {
-  double restReading = 0, endReading = 0;
-  std::vector<unsigned> travel_um;  ///< travelTableEntries
-  double worst_mm = 0;              ///< by which a place read from it, straight between entries, may be off
+  double restReading = 0, endReading = 0;  ///< whole counts, as the header states them
+  std::vector<unsigned> travel_um;         ///< travelTableEntries
+  double worst_mm = 0;  ///< error of the place of a whole reading, straight between entries
 };
 TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm);
 
