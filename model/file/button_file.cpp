@@ -143,8 +143,8 @@ class Reader {
   std::string subject_;
 };
 
-// Refuses unlimited nesting and duplicate keys, which the library's own handler accepts. It replaces a parser
-// callback, which copies every key to be asked for it.
+// Refuses unlimited nesting and duplicate keys, which the library's own handler accepts. A parser callback
+// would do so, too, but copies every key.
 class StrictHandler : public nlohmann::detail::json_sax_dom_parser<json> {
  public:
   StrictHandler(json& document, const Reader& reader) : json_sax_dom_parser(document), reader_(reader) {}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `study report --json` prints, computed again by scipy from the rows of `--csv`.
+"""Recomputes the figures of `study report --json` by scipy from the rows of `--csv`.
 
     study_statistics_test.py --detent-play BIN --samples DIR
 

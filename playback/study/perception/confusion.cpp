@@ -22,7 +22,7 @@ constexpr double errorsAtBar = 0.1;  // K&L: at most one error in ten trials
 constexpr double surely = 0.9;       // probability of a verdict
 constexpr int rangeTrials = 90;      // as in Table 2: nine people, ten trials
 
-constexpr int pairKinds = 40;  // equally frequent kinds of pairs, by increasing sensitivity
+constexpr std::size_t pairKinds = 40;  // equally frequent kinds of pairs, by increasing sensitivity
 
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
@@ -183,14 +183,9 @@ class PairErrors {
  public:
   explicit PairErrors(const ConfusionSettings& settings)
       : settings_(settings), dPrimeAtBar_(dPrimeAtBar(settings)) {
-    static const auto quantiles = [] {
-      std::array<double, pairKinds> z{};
-      for (int i = 0; i < pairKinds; ++i)
-        z[static_cast<std::size_t>(i)] = normalQuantile((i + 0.5) / pairKinds);
-      return z;
-    }();
-    std::transform(quantiles.begin(), quantiles.end(), factors_.begin(),
-                   [&](double z) { return std::exp(z * settings.sensitivitySpread); });
+    for (std::size_t i = 0; i < pairKinds; ++i)
+      factors_[i] =
+          std::exp(settings.sensitivitySpread * normalQuantile((static_cast<double>(i) + 0.5) / pairKinds));
   }
 
   void foretell(PredictedPair& pair) const {
