@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <initializer_list>
 #include <limits>
-#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -144,22 +143,58 @@ class Reader {
   std::string subject_;
 };
 
-// Refuses unlimited nesting and duplicate keys, which the parser accepts.
+// Refuses unlimited nesting and duplicate keys, which the library's own handler accepts. A parser callback
+// would do so, too, but copies every key.
+class StrictHandler : public nlohmann::detail::json_sax_dom_parser<json> {
+ public:
+  StrictHandler(json& document, const Reader& reader) : json_sax_dom_parser(document), reader_(reader) {}
+
+  bool start_object(std::size_t size) {
+    enter();
+    keys_.emplace_back();
+    return json_sax_dom_parser::start_object(size);
+  }
+  bool key(std::string& name) {
+    keys_.back().push_back(name);
+    return json_sax_dom_parser::key(name);
+  }
+  bool end_object() {
+    std::vector<std::string>& keys = keys_.back();
+    std::sort(keys.begin(), keys.end());
+    if (const auto twice = std::adjacent_find(keys.begin(), keys.end()); twice != keys.end())
+      reader_.refuse("key \"" + twice->substr(0, 60) + "\"", "is given twice in one object",
+                     "Keep one of the two");
+    keys_.pop_back();
+    --depth_;
+    return json_sax_dom_parser::end_object();
+  }
+  bool start_array(std::size_t size) {
+    enter();
+    return json_sax_dom_parser::start_array(size);
+  }
+  bool end_array() {
+    --depth_;
+    return json_sax_dom_parser::end_array();
+  }
+
+ private:
+  void enter() {
+    if (++depth_ > maxDepth)
+      reader_.refuse("", "is nested deeper than " + std::to_string(maxDepth) + " levels",
+                     "Give a button file");
+  }
+
+  const Reader& reader_;
+  int depth_ = 0;
+  std::vector<std::vector<std::string>> keys_;  // of the open objects
+};
+
 json parsedJson(std::string_view text, const Reader& reader) {
-  std::vector<std::set<std::string>> keys;
-  const json::parser_callback_t watch = [&](int depth, json::parse_event_t event, json& parsed) {
-    if (depth > maxDepth)
-      reader.refuse("", "is nested deeper than " + std::to_string(maxDepth) + " levels",
-                    "Give a button file");
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      reader.refuse("key \"" + parsed.get<std::string>().substr(0, 60) + "\"", "is given twice in one object",
-                    "Keep one of the two");
-    return true;
-  };
   try {
-    return json::parse(text.begin(), text.end(), watch);
+    json document;
+    StrictHandler handler(document, reader);
+    json::sax_parse(text.begin(), text.end(), &handler);
+    return document;
   } catch (const json::parse_error& error) {
     reader.refuse(placeOfByte(text, error.byte), Message("is not valid JSON: %1", plainReason(error.what())),
                   Message("Correct it there, or export the button again"));

@@ -162,6 +162,9 @@ Result<std::vector<std::string>> writeExported(const Exported& exported, const s
   std::vector<std::string> paths;
   for (const ExportedFile& file : exported.files) {
     paths.push_back(pathOf(output, file));
+    if (std::find(paths.begin(), paths.end() - 1, paths.back()) != paths.end() - 1)
+      return Failure{FailureCode::wrongUsage, output, "", Message("is the name of two files of this format"),
+                     Message("Give the file another ending than %1", file.ending)};
     files.push_back({paths.back(), file.text});
   }
   if (Result<Done> done = writeTextFilesAtomically(files); !done) return done.failure();

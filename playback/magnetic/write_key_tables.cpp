@@ -13,14 +13,17 @@ namespace detent::playback {
 namespace {
 
 constexpr double um_per_mm = 1000;
-constexpr int csvPieces = 200, checkedPieces = 4096;
+constexpr int csvPieces = 200, checkedReadings = 4096;
 
+/// As detent_travel_um_at() of the header does: straight between two entries, cut to whole micrometres.
 double fromTable_mm(const TravelTable& table, double reading) {
   const double place =
       (reading - table.restReading) / (table.endReading - table.restReading) * (travelTableEntries - 1);
   const auto i = static_cast<std::size_t>(std::clamp(place, 0.0, travelTableEntries - 2.0));
-  return std::lerp(static_cast<double>(table.travel_um[i]), static_cast<double>(table.travel_um[i + 1]),
-                   place - static_cast<double>(i)) /
+  constexpr double rounding_um = 1e-6;
+  return std::floor(std::lerp(static_cast<double>(table.travel_um[i]),
+                              static_cast<double>(table.travel_um[i + 1]), place - static_cast<double>(i)) +
+                    rounding_um) /
          um_per_mm;
 }
 
@@ -85,7 +88,7 @@ std::string head(const Button& button, const MagneticSensor& sensor, const Trave
         std::max(widest_um, table.travel_um[i] - std::min(table.travel_um[i], table.travel_um[i - 1]));
   std::snprintf(
       line, sizeof line,
-      "   A place between entries, as detent_travel_um_at() gives it, is off by up to %.4f mm; a plain "
+      "   The place of a whole reading, as detent_travel_um_at() gives it, is off by up to %.4f mm; a plain "
       "entry by up to %.4f mm.\n   Noise of %.3g counts.\n",
       table.worst_mm, widest_um / um_per_mm, sensor.noise());
   text += line;
@@ -98,16 +101,20 @@ std::string head(const Button& button, const MagneticSensor& sensor, const Trave
 
 TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm) {
   TravelTable table;
-  table.restReading = sensor.reading(0), table.endReading = sensor.reading(travel_mm);
+  table.restReading = std::round(sensor.reading(0));
+  table.endReading = std::round(sensor.reading(travel_mm));
   for (int i = 0; i < travelTableEntries; ++i) {
     const double reading =
         std::lerp(table.restReading, table.endReading, static_cast<double>(i) / (travelTableEntries - 1));
     table.travel_um.push_back(
         static_cast<unsigned>(std::max(0L, std::lround(sensor.displacement_mm(reading) * um_per_mm))));
   }
-  for (int i = 0; i <= checkedPieces; ++i) {
-    const double at_mm = travel_mm * i / checkedPieces;
-    table.worst_mm = std::max(table.worst_mm, std::abs(fromTable_mm(table, sensor.reading(at_mm)) - at_mm));
+  const double counts = std::abs(table.endReading - table.restReading);
+  const double checked = std::min(counts, static_cast<double>(checkedReadings));
+  for (double i = 0; i <= checked && counts > 0; ++i) {
+    const double reading = std::round(std::lerp(table.restReading, table.endReading, i / checked));
+    const double place_mm = std::clamp(sensor.displacement_mm(reading), 0.0, travel_mm);
+    table.worst_mm = std::max(table.worst_mm, std::abs(fromTable_mm(table, reading) - place_mm));
   }
   return table;
 }
@@ -132,8 +139,8 @@ std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
   const TravelTable table = travelTableOf(sensor, travel_mm);
   std::string text = head(button, sensor, table, simulated);
   text += "#ifndef DETENT_MAGNETIC_KEY_H\n#define DETENT_MAGNETIC_KEY_H\n\n#include <stdint.h>\n\n";
-  text += "#define DETENT_READING_AT_REST " + std::to_string(std::lround(table.restReading)) + "\n";
-  text += "#define DETENT_READING_AT_END " + std::to_string(std::lround(table.endReading)) + "\n";
+  text += "#define DETENT_READING_AT_REST " + std::to_string(std::llround(table.restReading)) + "\n";
+  text += "#define DETENT_READING_AT_END " + std::to_string(std::llround(table.endReading)) + "\n";
   text += "#define DETENT_TRAVEL_UM " + micrometres(travel_mm) + "\n";
   text += "#define DETENT_ACTUATE_UM " + micrometres(chosen.actuate_mm) + "\n";
   text += "#define DETENT_RESET_UM " + micrometres(chosen.reset_mm) + "\n";

@@ -13,9 +13,9 @@ inline constexpr int travelTableEntries = 256;
 
 /// Displacements in whole micrometres at evenly spaced readings from rest to the end of the travel.
 struct TravelTable {
-  double restReading = 0, endReading = 0;
-  std::vector<unsigned> travel_um;  ///< travelTableEntries
-  double worst_mm = 0;  ///< largest error of a displacement that is interpolated linearly in the table
+  double restReading = 0, endReading = 0;  ///< whole counts, as the header states them
+  std::vector<unsigned> travel_um;         ///< travelTableEntries
+  double worst_mm = 0;  ///< largest error at a whole reading, with linear interpolation between entries
 };
 TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm);
 

@@ -42,10 +42,13 @@ std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, 
 
   std::vector<TablePoint> samples;
   const auto put = [&](double x, double force) { samples.push_back({x, std::max(force, lowest_N)}); };
+  auto knot = knots.begin();
   for (double x : positions) {
     if (x < from_mm || x > to_mm) continue;
-    const double before = curve.forceBefore_N(x), after = curve.force_N(x);
-    if (before != after) put(x, before);
+    while (knot != knots.end() && knot->displacement_mm < x) ++knot;
+    const double after = curve.force_N(x);
+    if (knot != knots.end() && knot->displacement_mm == x)  // the only places that can be vertical
+      if (const double before = curve.forceBefore_N(x); before != after) put(x, before);
     put(x, after);
   }
   return samples;

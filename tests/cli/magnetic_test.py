@@ -9,6 +9,7 @@ import argparse
 import csv
 import json
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -76,6 +77,24 @@ class Magnetic(unittest.TestCase):
                 # A reading cut to whole counts, and micrometres cut to whole ones; a plain entry is up to 32 micrometres off.
                 self.assertAlmostEqual(float(whole) / 1000, place, delta=0.005 + 1 / 400 + 0.001)
         self.assertNotIn("ASSUMED", out.read_text())
+
+    def test_the_error_in_the_header_holds_for_every_whole_reading(self):
+        pairs = [(i / 50, 2000.4 + 60 * i / 50 + 90 * (i / 50) ** 2) for i in range(201)]
+        readings = self.folder / "rising.csv"
+        readings.write_text("displacement_mm,reading\n" + "\n".join(f"{x},{r}" for x, r in pairs) + "\n")
+        result = self.magnetic("--readings", readings, "-o", self.folder / "key.h")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        told = float(re.search(r"is off by up to ([0-9.]+) mm", (self.folder / "key.h").read_text())[1])
+        (self.folder / "asking.c").write_text(ASKING)
+        subprocess.run([ARGUMENTS.cc, "-std=c99", str(self.folder / "asking.c"), "-o", str(self.folder / "asking")], check=True)
+        whole = range(2001, int(pairs[-1][1]) + 1)
+        lines = subprocess.run([str(self.folder / "asking")], input="\n".join(map(str, whole)), text=True,
+                               capture_output=True, check=True).stdout.splitlines()
+        worst = 0
+        for reading, line in zip(whole, lines):
+            (x0, r0), (x1, r1) = next((a, b) for a, b in zip(pairs, pairs[1:]) if a[1] <= reading <= b[1])
+            worst = max(worst, abs(int(line.split()[0]) / 1000 - (x0 + (reading - r0) / (r1 - r0) * (x1 - x0))))
+        self.assertAlmostEqual(told, worst, delta=1e-4)
 
     def test_the_sensor_along_the_travel(self):
         out = self.folder / "sensor.csv"

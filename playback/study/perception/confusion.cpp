@@ -22,6 +22,8 @@ constexpr double errorsAtBar = 0.1;  // K&L: at most one error in ten trials
 constexpr double surely = 0.9;       // probability of a verdict
 constexpr int rangeTrials = 90;      // as in Table 2: nine people, ten trials
 
+constexpr std::size_t pairKinds = 40;  // equally frequent kinds of pairs, by increasing sensitivity
+
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
 /// Levels from alignment_s before the first clearly felt frame on, with silence if the stroke is younger.
@@ -39,64 +41,72 @@ Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   return from;
 }
 
-/// A stroke's levels and, channel by channel, what they lie between half a frame to either side of each
-/// moment.
-struct Course {
-  Levels at, least, most;
+/// Both channels side by side: one instruction works on both.
+using BothChannels = double __attribute__((vector_size(channelCount * sizeof(double))));
+BothChannels smaller(BothChannels x, BothChannels y) { return y < x ? y : x; }
+BothChannels larger(BothChannels x, BothChannels y) { return x < y ? y : x; }
+
+/// A stroke as the cues compare it; made once per button.
+struct ComparedStroke {
+  /// Levels from the onset on, in just noticeable steps, without the silence at the end.
+  std::vector<BothChannels> steps;
+  std::size_t frames = 0;  ///< with the silence at the end
+  double centre_s = 0;
+  double grains = 0, force_N = 0;
 };
 
-Course courseOf(Levels levels, std::size_t frames) {
-  levels.resize(frames);  // silence behind its end
-  Course course{levels, levels, levels};
-  for (std::size_t i = 1; i < frames; ++i) {
-    for (std::size_t c = 0; c < channelCount; ++c) {
-      const double between = (levels[i - 1][c] + levels[i][c]) / 2;
-      for (const std::size_t k : {i - 1, i}) {
-        course.least[k][c] = std::min(course.least[k][c], between);
-        course.most[k][c] = std::max(course.most[k][c], between);
-      }
+/// One frame of a stroke: its levels, and their range within half a frame.
+struct LevelRange {
+  BothChannels at{}, least{}, most{};
+};
+
+/// `frames`: not fewer than there are steps; silence follows them.
+std::vector<LevelRange> rangesOf(const std::vector<BothChannels>& steps, std::size_t frames) {
+  std::vector<LevelRange> ranges(frames);
+  for (std::size_t i = 0; i < steps.size(); ++i) ranges[i] = {steps[i], steps[i], steps[i]};
+  for (std::size_t i = 1; i < std::min(frames, steps.size() + 1); ++i) {
+    const BothChannels between = (ranges[i - 1].at + ranges[i].at) / 2;
+    for (const std::size_t k : {i - 1, i}) {
+      ranges[k].least = smaller(ranges[k].least, between);
+      ranges[k].most = larger(ranges[k].most, between);
     }
   }
-  return course;
+  return ranges;
 }
 
-/// Squared difference of two moments in just noticeable steps, as far as neither sequence has the other's
-/// level within half a frame: the start of a frame is not felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
-double stepsBetween(const Course& a, std::size_t i, const Course& b, std::size_t k,
-                    const ConfusionSettings& settings) {
-  const auto outside = [](double level, double least, double most) {
-    return std::max({0.0, level - most, least - level});
-  };
-  double sum = 0;
-  for (std::size_t c = 0; c < channelCount; ++c) {
-    const double apart_dB = std::min(outside(a.at[i][c], b.least[k][c], b.most[k][c]),
-                                     outside(b.at[k][c], a.least[i][c], a.most[i][c]));
-    const double steps = apart_dB / settings.noticeable_dB[c];
-    sum += steps * steps;
-  }
-  return sum;
+/// Squared difference of two moments, as far as neither stroke has the other's level within half a frame: the
+/// start of a frame is not felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
+double squaredSteps(const LevelRange& a, const LevelRange& b) {
+  const BothChannels outsideB = a.at - smaller(larger(a.at, b.least), b.most);
+  const BothChannels outsideA = b.at - smaller(larger(b.at, a.least), a.most);
+  const BothChannels squares = smaller(outsideA * outsideA, outsideB * outsideB);
+  return squares[0] + squares[1];
 }
 
-/// Dynamic time warping with a band: the least sum of squared steps over all ways to lay one over the other.
-double warpedDistance(const Levels& levelsA, const Levels& levelsB, const ConfusionSettings& settings) {
+/// Dynamic time warping with a band: the least sum of squared steps over all ways to lay one stroke over the
+/// other. Works along diagonals, frames i and k with the same i + k: no sum of one waits for another.
+double warpedDistance(const ComparedStroke& strokeA, const ComparedStroke& strokeB, std::size_t band) {
   constexpr double far = std::numeric_limits<double>::infinity();
-  const std::size_t n = std::max(levelsA.size(), levelsB.size());
-  const auto band = static_cast<std::size_t>(settings.alignment_s / frame_s);
+  // Silence of both adds nothing. One frame of it is enough for every way to reach the end.
+  const std::size_t loud = std::max(strokeA.steps.size(), strokeB.steps.size());
+  const std::size_t n = std::min(std::max(strokeA.frames, strokeB.frames), loud + 1);
   if (n == 0) return 0;
-  const Course a = courseOf(levelsA, n), b = courseOf(levelsB, n);
-  std::vector<double> before(n, far), row(n, far);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::fill(row.begin(), row.end(), far);
-    for (std::size_t k = i > band ? i - band : 0; k <= std::min(i + band, n - 1); ++k) {
-      double best = i == 0 && k == 0 ? 0 : far;
-      if (i > 0) best = std::min(best, before[k]);
-      if (k > 0) best = std::min(best, row[k - 1]);
-      if (i > 0 && k > 0) best = std::min(best, before[k - 1]);
-      row[k] = best + stepsBetween(a, i, b, k, settings);
-    }
-    std::swap(before, row);
+  const std::vector<LevelRange> a = rangesOf(strokeA.steps, n), b = rangesOf(strokeB.steps, n);
+  // Least sums of this diagonal and the two before it, at i + 1.
+  std::vector<double> now(n + 2, far), before(n + 2, far), beforeThat(n + 2, far);
+  beforeThat[0] = 0;
+  for (std::size_t diagonal = 0; diagonal <= 2 * (n - 1); ++diagonal) {
+    const std::size_t inBand = diagonal > band ? (diagonal - band + 1) / 2 : 0;
+    const std::size_t low = std::max(inBand, diagonal >= n ? diagonal - (n - 1) : 0);
+    const std::size_t high = std::min({(diagonal + band) / 2, diagonal, n - 1});
+    for (std::size_t i = low; i <= high; ++i)
+      now[i + 1] =
+          std::min(std::min(before[i], before[i + 1]), beforeThat[i]) + squaredSteps(a[i], b[diagonal - i]);
+    now[low] = now[high + 2] = far;
+    std::swap(beforeThat, before);
+    std::swap(before, now);
   }
-  return before[n - 1];
+  return before[n];
 }
 
 /// Centroid time of the P channel's power from the start of the stroke, s; 0 for silence.
@@ -110,21 +120,37 @@ double centreOf(const FeltStroke& stroke) {
   return weight > 0 ? moment / weight : 0;
 }
 
+std::size_t bandOf(const ConfusionSettings& settings) {
+  return static_cast<std::size_t>(settings.alignment_s / frame_s);
+}
+
+ComparedStroke comparedStroke(const FeltStroke& felt, const ConfusionSettings& settings) {
+  ComparedStroke stroke;
+  const BothChannels step_dB{settings.noticeable_dB[0], settings.noticeable_dB[1]};
+  for (const auto& frame : fromOnset(felt.excitation.level_dB, settings))
+    stroke.steps.push_back(BothChannels{frame[0], frame[1]} / step_dB);
+  stroke.frames = stroke.steps.size();
+  while (!stroke.steps.empty() && stroke.steps.back()[0] == 0 && stroke.steps.back()[1] == 0)
+    stroke.steps.pop_back();
+  stroke.centre_s = centreOf(felt);
+  stroke.grains = static_cast<double>(felt.grains);
+  stroke.force_N = felt.meanForce_N;
+  return stroke;
+}
+
 /// Difference of two positive quantities as their ratio's logarithm.
 double ratio(double a, double b, double least) {
   return std::fabs(std::log(std::max(a, least) / std::max(b, least)));
 }
 
-StrokeDifference differenceOf(const FeltStroke& a, const FeltStroke& b, const ConfusionSettings& settings) {
+StrokeDifference differenceOf(const ComparedStroke& a, const ComparedStroke& b,
+                              const ConfusionSettings& settings) {
   StrokeDifference d;
-  d.strength = std::sqrt(warpedDistance(fromOnset(a.excitation.level_dB, settings),
-                                        fromOnset(b.excitation.level_dB, settings), settings) *
-                         frame_s / settings.integration_s);
-  const double whenA_s = centreOf(a), whenB_s = centreOf(b);
-  if (whenA_s > 0 && whenB_s > 0) d.timing = ratio(whenA_s, whenB_s, frame_s) / settings.timingWeber;
-  d.travel =
-      ratio(1 + static_cast<double>(a.grains), 1 + static_cast<double>(b.grains), 1) / settings.travelWeber;
-  d.force = ratio(a.meanForce_N, b.meanForce_N, faintForce_N) / settings.forceWeber;
+  d.strength = std::sqrt(warpedDistance(a, b, bandOf(settings)) * frame_s / settings.integration_s);
+  if (a.centre_s > 0 && b.centre_s > 0)
+    d.timing = ratio(a.centre_s, b.centre_s, frame_s) / settings.timingWeber;
+  d.travel = ratio(1 + a.grains, 1 + b.grains, 1) / settings.travelWeber;
+  d.force = ratio(a.force_N, b.force_N, faintForce_N) / settings.forceWeber;
   return d;
 }
 
@@ -152,25 +178,103 @@ double probabilityMoreConfused(double smaller, double larger, const ConfusionSet
   return normalCdf(std::log(larger / smaller) / (std::sqrt(2.0) * settings.sensitivitySpread));
 }
 
-PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t state,
-                           const ConfusionSettings& settings) {
-  const auto& pressesA = a.states[state % a.states.size()];
-  const auto& pressesB = b.states[state % b.states.size()];
-  constexpr double share = 1.0 / static_cast<double>(pressLengths_s.size());
-  PredictedPair pair;
-  for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
-    const StrokeDifference press = differenceOf(pressesA[i].press, pressesB[i].press, settings);
-    const StrokeDifference release = differenceOf(pressesA[i].release, pressesB[i].release, settings);
-    const double d = settings.sensitivity * std::hypot(press.largest(), release.largest());
-    addTo(pair.press, press, share);
-    addTo(pair.release, release, share);
-    pair.dPrime += share * d;
+/// Sensitivity factors of the kinds of pairs, and d' at the bar: the same for every pair.
+class PairErrors {
+ public:
+  explicit PairErrors(const ConfusionSettings& settings)
+      : settings_(settings), dPrimeAtBar_(dPrimeAtBar(settings)) {
+    for (std::size_t i = 0; i < pairKinds; ++i)
+      factors_[i] =
+          std::exp(settings.sensitivitySpread * normalQuantile((static_cast<double>(i) + 0.5) / pairKinds));
   }
-  foretellErrors(pair, settings);
-  pair.onPress = pair.press.largest() >= pair.release.largest();
-  pair.cue = (pair.onPress ? pair.press : pair.release).cue();
-  return pair;
-}
+
+  void foretell(PredictedPair& pair) const {
+    constexpr double tail = 0.05;  // left out at each end of the range
+    std::array<double, rangeTrials + 1> probability{};
+    for (const double factor : factors_) {
+      const double wrong = shareWrong(pair.dPrime * factor, settings_);
+      const double odds = wrong / (1 - wrong);
+      double exactly = std::pow(1 - wrong, rangeTrials);  // no error
+      for (int k = 0; k <= rangeTrials; ++k) {
+        probability[static_cast<std::size_t>(k)] += exactly / pairKinds;
+        exactly *= odds * (rangeTrials - k) / (k + 1);
+      }
+    }
+    const auto shareAt = [&](double quantile) {
+      double below = 0;
+      int k = 0;
+      while (k < rangeTrials && (below += probability[static_cast<std::size_t>(k)]) < quantile) ++k;
+      return double(k) / rangeTrials;
+    };
+    pair.shareOfErrors = shareWrong(pair.dPrime, settings_);
+    pair.leastShareOfErrors = shareAt(tail);
+    pair.mostShareOfErrors = shareAt(1 - tail);
+    pair.probabilityApart =
+        pair.dPrime > 0 ? normalCdf(std::log(pair.dPrime / dPrimeAtBar_) / settings_.sensitivitySpread) : 0;
+  }
+
+ private:
+  const ConfusionSettings& settings_;
+  double dPrimeAtBar_;
+  std::array<double, pairKinds> factors_{};
+};
+
+/// Buttons ready to be compared with each other, pair by pair.
+class Comparison {
+ public:
+  Comparison(const std::vector<const FeltButton*>& buttons, const ConfusionSettings& settings)
+      : settings_(settings), errors_(settings) {
+    for (const FeltButton* button : buttons) {
+      States& states = buttons_.emplace_back();
+      for (const auto& presses : button->states) {
+        Presses& compared = states.emplace_back();
+        for (std::size_t i = 0; i < presses.size(); ++i)
+          compared[i] = {comparedStroke(presses[i].press, settings),
+                         comparedStroke(presses[i].release, settings)};
+      }
+    }
+  }
+
+  /// Of a self-locking button the state that is told apart more clearly.
+  PredictedPair pair(std::size_t a, std::size_t b) const {
+    const std::size_t states = std::max(buttons_[a].size(), buttons_[b].size());
+    PredictedPair clearest;
+    for (std::size_t s = 0; s < states; ++s) {
+      PredictedPair pair =
+          statePair(buttons_[a][s % buttons_[a].size()], buttons_[b][s % buttons_[b].size()]);
+      if (s == 0 || pair.dPrime > clearest.dPrime) clearest = pair;
+    }
+    if (states > 0) errors_.foretell(clearest);
+    return clearest;
+  }
+
+ private:
+  struct ComparedPress {
+    ComparedStroke press, release;
+  };
+  using Presses = std::array<ComparedPress, pressLengths_s.size()>;
+  using States = std::vector<Presses>;
+
+  PredictedPair statePair(const Presses& a, const Presses& b) const {
+    constexpr double share = 1.0 / static_cast<double>(pressLengths_s.size());
+    PredictedPair pair;
+    for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
+      const StrokeDifference press = differenceOf(a[i].press, b[i].press, settings_);
+      const StrokeDifference release = differenceOf(a[i].release, b[i].release, settings_);
+      const double d = settings_.sensitivity * std::hypot(press.largest(), release.largest());
+      addTo(pair.press, press, share);
+      addTo(pair.release, release, share);
+      pair.dPrime += share * d;
+    }
+    pair.onPress = pair.press.largest() >= pair.release.largest();
+    pair.cue = (pair.onPress ? pair.press : pair.release).cue();
+    return pair;
+  }
+
+  const ConfusionSettings& settings_;
+  PairErrors errors_;
+  std::vector<States> buttons_;
+};
 
 }  // namespace
 
@@ -189,30 +293,7 @@ Verdict PredictedPair::verdict() const {
 }
 
 void foretellErrors(PredictedPair& pair, const ConfusionSettings& settings) {
-  constexpr int kinds = 40;      // of pairs, equally frequent, by rising sensitivity
-  constexpr double tail = 0.05;  // left out at each end of the range
-  std::array<double, rangeTrials + 1> probability{};
-  for (int i = 0; i < kinds; ++i) {
-    const double z = normalQuantile((i + 0.5) / kinds);
-    const double wrong = shareWrong(pair.dPrime * std::exp(z * settings.sensitivitySpread), settings);
-    double exactly = std::pow(1 - wrong, rangeTrials);  // no error
-    for (int k = 0; k <= rangeTrials; ++k) {
-      probability[static_cast<std::size_t>(k)] += exactly / kinds;
-      exactly *= double(rangeTrials - k) / (k + 1) * wrong / (1 - wrong);
-    }
-  }
-  const auto shareAt = [&](double quantile) {
-    double below = 0;
-    int k = 0;
-    while (k < rangeTrials && (below += probability[static_cast<std::size_t>(k)]) < quantile) ++k;
-    return double(k) / rangeTrials;
-  };
-  pair.shareOfErrors = shareWrong(pair.dPrime, settings);
-  pair.leastShareOfErrors = shareAt(tail);
-  pair.mostShareOfErrors = shareAt(1 - tail);
-  pair.probabilityApart =
-      pair.dPrime > 0 ? normalCdf(std::log(pair.dPrime / dPrimeAtBar(settings)) / settings.sensitivitySpread)
-                      : 0;
+  PairErrors(settings).foretell(pair);
 }
 
 std::vector<PairRank> ranksOf(const std::vector<PredictedPair>& pairs, const ConfusionSettings& settings) {
@@ -232,24 +313,21 @@ std::vector<PairRank> ranksOf(const std::vector<PredictedPair>& pairs, const Con
 }
 
 PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b, const ConfusionSettings& settings) {
-  PredictedPair clearest;
-  const std::size_t states = std::max(a.states.size(), b.states.size());
-  for (std::size_t s = 0; s < states; ++s) {
-    PredictedPair pair = predictState(a, b, s, settings);
-    if (s == 0 || pair.dPrime > clearest.dPrime) clearest = pair;
-  }
-  return clearest;
+  return Comparison({&a, &b}, settings).pair(0, 1);
 }
 
 std::vector<PredictedPair> predictAll(const std::vector<FeltButton>& buttons,
                                       const std::function<bool(std::size_t, std::size_t)>& progress,
                                       const ConfusionSettings& settings) {
+  std::vector<const FeltButton*> all;
+  for (const FeltButton& button : buttons) all.push_back(&button);
+  const Comparison comparison(all, settings);
+  const std::size_t count = buttons.size() * (buttons.size() - (buttons.empty() ? 0 : 1)) / 2;
   std::vector<PredictedPair> pairs;
-  const std::size_t all = buttons.size() * (buttons.size() - (buttons.empty() ? 0 : 1)) / 2;
   for (std::size_t second = 1; second < buttons.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first) {
-      pairs.push_back(predictConfusion(buttons[first], buttons[second], settings));
-      if (progress && !progress(pairs.size(), all)) return {};
+      pairs.push_back(comparison.pair(first, second));
+      if (progress && !progress(pairs.size(), count)) return {};
     }
   }
   return pairs;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/metrics.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
 #include "playback/realtime/biquad.h"
@@ -72,12 +71,11 @@ Result<FeltPress> feelPress(const HapticProgram& program, std::size_t length,
 
 /// Forces along the finger's way. Without a release curve the button comes up as it went down.
 void feelForces(FeltPress& felt, const ForceGraph& graph) {
-  const auto meanOf = [](const StrokeCurve& curve, Stroke stroke) {
-    return metricsOf(curve, stroke).work_mJ / curve.travel_mm();
+  const auto meanOf = [](const StrokeCurve& curve) {
+    return curve.area_mJ(curve.start_mm(), curve.end_mm()) / curve.travel_mm();
   };
-  felt.press.meanForce_N = meanOf(graph.press(), Stroke::press);
-  felt.release.meanForce_N =
-      graph.release() ? meanOf(*graph.release(), Stroke::release) : felt.press.meanForce_N;
+  felt.press.meanForce_N = meanOf(graph.press());
+  felt.release.meanForce_N = graph.release() ? meanOf(*graph.release()) : felt.press.meanForce_N;
 }
 
 }  // namespace

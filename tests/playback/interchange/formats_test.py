@@ -299,6 +299,13 @@ class Formats(unittest.TestCase):
                       for a, f in zip(envelopes["amplitude"], envelopes["frequency"])]
             self.assert_told(sine(numpy.arange(len(original)) / RATE, points), original, loss)
 
+    def test_a_name_that_two_files_of_a_format_would_have_is_refused(self):
+        out = os.path.join(self.folder, "one.h")
+        done = self.run_play("export", SAMPLES / "B.button.json", "--format", "openxr", "-o", out)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("one.h: is the name of two files of this format. Give the file another ending than .h", done.stderr)
+        self.assertFalse(os.path.exists(out))
+
     def test_openxr(self):
         for button in ("A", "B", "latch"):
             (text, header), loss = self.export(button, "openxr", ".json")

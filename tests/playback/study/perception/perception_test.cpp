@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <random>
 
 #include <catch2/catch.hpp>
 
@@ -76,7 +78,68 @@ double printedSpearman(const std::string& forecast) {
   throw std::runtime_error("docs/reference/predicted-confusion.md has no row '" + forecast + "'");
 }
 
+using Levels = std::vector<std::array<double, channelCount>>;
+
+/// A burst of frames from its onset on, then silence.
+Levels burst(std::mt19937& random, std::size_t loud, std::size_t silent) {
+  std::uniform_real_distribution<double> level_dB(6, 40);
+  Levels levels(loud);
+  for (auto& frame : levels) frame = {level_dB(random), level_dB(random)};
+  levels.resize(loud + silent);
+  return levels;
+}
+
+FeltButton everyStroke(const Levels& levels) {
+  FeltButton button{"", {{}}};
+  for (FeltPress& press : button.states[0])
+    press.press.excitation.level_dB = press.release.excitation.level_dB = levels;
+  return button;
+}
+
+/// Strength of the difference by the textbook's dynamic time warping: row by row, over every frame.
+double warpedByRows(Levels a, Levels b, const ConfusionSettings& settings) {
+  const auto band = static_cast<std::size_t>(settings.alignment_s / frame_s);
+  for (Levels* levels : {&a, &b}) levels->insert(levels->begin(), band, {});  // silence before the onset
+  const std::size_t n = std::max(a.size(), b.size());
+  a.resize(n);
+  b.resize(n);
+  const auto outside = [&](const Levels& of, std::size_t i, const Levels& levels, std::size_t k,
+                           std::size_t c) {
+    double least = levels[k][c], most = least;
+    for (const std::size_t beside : {k == 0 ? k : k - 1, std::min(k + 1, n - 1)}) {
+      least = std::min(least, (levels[k][c] + levels[beside][c]) / 2);
+      most = std::max(most, (levels[k][c] + levels[beside][c]) / 2);
+    }
+    return std::max({0.0, of[i][c] - most, least - of[i][c]});
+  };
+  std::vector<std::vector<double>> sums(n + 1,
+                                        std::vector<double>(n + 1, std::numeric_limits<double>::infinity()));
+  sums[0][0] = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = i > band ? i - band : 0; k <= std::min(i + band, n - 1); ++k) {
+      double squares = 0;
+      for (std::size_t c = 0; c < channelCount; ++c)
+        squares +=
+            std::pow(std::min(outside(a, i, b, k, c), outside(b, k, a, i, c)) / settings.noticeable_dB[c], 2);
+      sums[i + 1][k + 1] = std::min({sums[i][k], sums[i][k + 1], sums[i + 1][k]}) + squares;
+    }
+  }
+  return std::sqrt(sums[n][n] * frame_s / settings.integration_s);
+}
+
 }  // namespace
+
+TEST_CASE("confusion: strokes are laid over each other as by warping every frame, with and without silence") {
+  std::mt19937 random(1);
+  const ConfusionSettings settings;
+  for (const std::size_t loud : {1u, 17u, 60u})
+    for (const std::size_t silent : {0u, 3u, 16u, 17u, 90u}) {
+      const Levels a = burst(random, 40, 5), b = burst(random, loud, silent);
+      CAPTURE(loud, silent);
+      const PredictedPair pair = predictConfusion(everyStroke(a), everyStroke(b));
+      CHECK(pair.press.strength == Approx(warpedByRows(a, b, settings)).epsilon(1e-12));
+    }
+}
 
 TEST_CASE("excitation: P is best at 250 Hz, RA at 40 Hz, silence and faint signals are nothing") {
   CHECK(steadyLevel(250, 1, 1) == Approx(45).margin(0.5));
@@ -322,9 +385,13 @@ TEST_CASE("a self-locking button is felt in both states") {
 }
 
 TEST_CASE("all pairs: progress is told, cancelling gives nothing") {
-  const std::vector<FeltButton> three{felt(sample("A")), felt(sample("B")), felt(sample("C"))};
+  const std::vector<FeltButton> three{felt(sample("A")), felt(sample("B")), felt(sample("EF"))};
   std::size_t reported = 0;
-  CHECK(predictAll(three, [&](std::size_t, std::size_t all) { return ++reported, all == 3; }).size() == 3);
+  const std::vector<PredictedPair> pairs =
+      predictAll(three, [&](std::size_t, std::size_t all) { return ++reported, all == 3; });
+  REQUIRE(pairs.size() == 3);
+  CHECK(pairs[1].dPrime == predictConfusion(three[0], three[2]).dPrime);
+  CHECK(pairs[2].dPrime == predictConfusion(three[1], three[2]).dPrime);
   CHECK(reported == 3);
   CHECK(predictAll(three, [](std::size_t, std::size_t) { return false; }).empty());
   CHECK_FALSE(feel(sample("A"), {}, [] { return true; }));
