@@ -19,10 +19,10 @@ struct PrintedUnit {
 };
 
 /// "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)". Where a title has brackets the unit stands
-/// in them, whole: "[dN]", "(x10 gf)" and "(N/mm)" hold no N, gf or mm. A unit counts only beside a word for
-/// its quantity or without any word for a quantity: "Inductance [H]" and "Shock [g]" hold no force. Beside a
-/// word of exact text that the lexicon does not know no unit counts. Misread letters count in recognised
-/// text only.
+/// in them, whole: "[dN]", "(x10 gf)" and "(N/mm)" hold no N, gf or mm. A unit counts only beside a word or
+/// letter of its quantity, or without any: "Inductance [H]" and "U [N]" hold no force. Beside a word of exact
+/// text that the lexicon does not know no unit counts. Misread letters count in recognised text
+/// only.
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title,
                                                   TextSource source = TextSource::recognised);
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title,

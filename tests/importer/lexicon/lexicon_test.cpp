@@ -9,6 +9,7 @@
 
 #include "importer/lexicon/letters.h"
 #include "importer/lexicon/printed_unit.h"
+#include "importer/lexicon/quantity_symbol.h"
 #include "importer/lexicon/stroke_words.h"
 
 using namespace detent;
@@ -132,6 +133,15 @@ TEST_CASE("a letter that was read is what it was read as, a digit may be an ideo
         Row{"|F| (N)", "N", "", ""}, Row{"F, (N)", "N", "", ""}, Row{"Fy (N)", "N", "", ""},
         Row{"{1 / mm", "", "mm", ""}})
     check(row, TextSource::recognised);
+}
+
+TEST_CASE("a title that ends before its unit has no letter in place of words", "[lexicon]") {
+  for (const TextSource source : {TextSource::exact, TextSource::recognised})
+    for (const char* title :
+         {"", " ", "|", "a", "A", "\u0394", "\xCE", "a_{", "a(t)", "a(", "U [", "U []", "lal", "a in "}) {
+      CAPTURE(title);
+      CHECK_FALSE(symbolBeforeUnit(title, source));
+    }
 }
 
 TEST_CASE("the axes of force and travel exchanged name each other", "[lexicon]") {
