@@ -31,6 +31,9 @@ constexpr std::array<std::string_view, 19> kMeanings{"displacement", "displaceme
                                                      "unit",         "raw",
                                                      "neutral"};
 
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kBrackets{
+    {{"(", ")"}, {"[", "]"}, {"{", "}"}, {"<", ">"}, {"（", "）"}, {"［", "］"}, {"【", "】"}}};
+
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 struct Vocabulary {
@@ -101,15 +104,8 @@ std::vector<std::string> titleWords(std::string_view text) {
     const char c = text[i];
     const bool letter =
         isAsciiLetter(c) || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80 || c == '#';
-    if (!letter) {
-      if (c == '.' && !word.empty() && i + 1 < text.size() && isAsciiLetter(text[i + 1]))
-        word += c;
-      else
-        end();
-      continue;
-    }
-    if (i > 0 && c >= 'A' && c <= 'Z' && text[i - 1] >= 'a' && text[i - 1] <= 'z') end();
-    word += c;
+    if (!letter || (i > 0 && c >= 'A' && c <= 'Z' && text[i - 1] >= 'a' && text[i - 1] <= 'z')) end();
+    if (letter) word += c;
   }
   end();
   return words;
@@ -176,6 +172,8 @@ ColumnUnit unitSpelled(std::string_view text) {
   return {ColumnUnit::Kind::unknown, 1, std::string(text)};
 }
 
+bool isMeasured(const ColumnUnit& unit) { return unit.isOfButton() || unit.kind == ColumnUnit::Kind::time; }
+
 /// "1/64 in": a part of a unit.
 std::optional<ColumnUnit> fractionOfUnit(std::string_view text) {
   double above = 0, below = 0;
@@ -185,7 +183,7 @@ std::optional<ColumnUnit> fractionOfUnit(std::string_view text) {
   const auto [rest, wrongBelow] = std::from_chars(slash + 1, end, below);
   if (wrongBelow != std::errc() || !(above > 0) || !(below > 0)) return {};
   ColumnUnit unit = unitSpelled(trimmed(std::string_view(rest, static_cast<std::size_t>(end - rest))));
-  if (unit.kind == ColumnUnit::Kind::unknown || unit.kind == ColumnUnit::Kind::other) return {};
+  if (!isMeasured(unit)) return {};
   unit.size *= above / below, unit.text = std::string(text);
   return unit;
 }
@@ -203,9 +201,7 @@ bool isProductOfUnits(std::string_view text) {
 
 std::string_view withoutBrackets(std::string_view text) {
   text = trimmed(text);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> brackets{
-      {{"(", ")"}, {"[", "]"}, {"{", "}"}, {"<", ">"}, {"（", "）"}, {"［", "］"}, {"【", "】"}}};
-  for (const auto& [open, close] : brackets)
+  for (const auto& [open, close] : kBrackets)
     if (text.size() > open.size() + close.size() && text.starts_with(open) && text.ends_with(close))
       return trimmed(text.substr(open.size(), text.size() - open.size() - close.size()));
   return text;
@@ -280,7 +276,7 @@ ColumnUnit unitOf(std::string_view text) {
       if (rest.starts_with(sign) && rest.size() > sign.size()) rest = trimmed(rest.substr(sign.size()));
     if (!factor || rest.empty()) continue;
     ColumnUnit scaled = unitSpelled(rest);
-    if (scaled.kind == ColumnUnit::Kind::unknown || scaled.kind == ColumnUnit::Kind::other) continue;
+    if (!isMeasured(scaled)) continue;
     return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
   }
   // Compound units measure something else, whatever they are made of: "N m", "N/mm".
@@ -302,10 +298,8 @@ SplitTitle splitTitle(std::string_view given) {
   SplitTitle split{std::string(title), {}};
   if (title.empty()) return split;
   // The last bracket that holds a unit; one that holds something else is remembered as unknown.
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> brackets{
-      {{"(", ")"}, {"[", "]"}, {"{", "}"}, {"<", ">"}, {"（", "）"}, {"［", "］"}, {"【", "】"}}};
   ColumnUnit unknown;
-  for (const auto& [open, close] : brackets)
+  for (const auto& [open, close] : kBrackets)
     for (std::size_t from = title.rfind(open); from != std::string_view::npos;
          from = from == 0 ? std::string_view::npos : title.rfind(open, from - 1)) {
       const std::size_t to = title.find(close, from + open.size());
@@ -330,23 +324,18 @@ SplitTitle splitTitle(std::string_view given) {
   const ColumnUnit whole = unitOf(title);
   if (whole.kind != ColumnUnit::Kind::unknown && whole.kind != ColumnUnit::Kind::other) return {"", whole};
   // Behind a slash, a comma, an underscore, "in", or a blank.
-  const auto isMeasured = [](const ColumnUnit& unit) {
-    return unit.kind == ColumnUnit::Kind::displacement || unit.kind == ColumnUnit::Kind::force ||
-           unit.kind == ColumnUnit::Kind::time;
-  };
   const std::size_t at = title.find_last_of(" _/,:;.-");
   for (const std::size_t cut : {title.find('/'), title.find(" in "), title.find(", "), at}) {
     if (cut == std::string_view::npos || cut == 0) continue;
     const bool preposition = title.substr(cut).starts_with(" in ");
     const std::string_view behind = trimmed(title.substr(cut + (preposition ? 4 : 1)));
     const ColumnUnit unit = unitOf(behind);
-    if (unit.kind == ColumnUnit::Kind::none || unit.kind == ColumnUnit::Kind::unknown) continue;
+    if (!unit.isKnown()) continue;
     const bool byBlank = cut == at && (title[cut] == ' ' || title[cut] == '-' || title[cut] == '.');
     // Words that are units as well, and letters that number things.
     if (byBlank && !preposition &&
         (!isMeasured(unit) || behind == "in" || behind == "min" || behind == "p" || behind == "m" ||
-         behind == "h" || behind == "#" || behind == "thou" || behind == "h" || behind == "MN" ||
-         behind == "T"))
+         behind == "h" || behind == "#" || behind == "thou" || behind == "MN" || behind == "T"))
       continue;
     if (!byBlank && unit.kind == ColumnUnit::Kind::other && behind.size() < 2) continue;
     return {std::string(trimmed(title.substr(0, cut))), unit};

@@ -52,6 +52,8 @@ struct ColumnUnit {
   Kind kind = Kind::none;
   double size = 1;  ///< mm, N or s in one of it
   std::string text;
+  bool isKnown() const { return kind != Kind::none && kind != Kind::unknown; }
+  bool isOfButton() const { return kind == Kind::displacement || kind == Kind::force; }
 };
 
 /// The unit that a whole text is: "mm", "(x0.1 N)", "N/mm²". `unknown` if it is none that this knows, `none` if it is empty.

@@ -99,8 +99,7 @@ bool isCondition(std::string_view title) {
 /// A unit in brackets behind a condition is that of the numbers: "85 °C (N)".
 bool isConditionWithUnit(std::string_view title) {
   const ColumnUnit unit = splitTitle(title).unit;
-  return isCondition(title) && (title.ends_with(')') || title.ends_with(']')) &&
-         (unit.kind == ColumnUnit::Kind::force || unit.kind == ColumnUnit::Kind::displacement);
+  return isCondition(title) && (title.ends_with(')') || title.ends_with(']')) && unit.isOfButton();
 }
 
 /// Returns true if a column's title tells what was measured apart from others, and not which quantity: a
@@ -253,18 +252,12 @@ class ColumnFinder {
 
   bool isData(std::size_t row) const {
     if (!isCandidate(row)) return false;
-    std::size_t numbers = 0, all = 0;
-    for (const std::size_t c : core_) {
-      if (isNumber(row, c))
-        ++numbers;
-      else if (!table_.cell(row, c).empty())
-        return false;
-    }
-    for (const std::size_t c : numeric_) all += isNumber(row, c);
+    for (const std::size_t c : core_)
+      if (!isNumber(row, c) && !table_.cell(row, c).empty()) return false;
     // "-40 °C;;85 °C;" above pairs of columns.
     if (facts_[row].numbers < core_.size() && holdsConditions(row) && !holdsConditions(mainTo_ - 1))
       return false;
-    return all >= 2 && (numbers > 0 || core_.empty() || all >= 2);
+    return std::ranges::count_if(numeric_, [&](std::size_t c) { return isNumber(row, c); }) >= 2;
   }
 
   /// The texts of a row, numbers and blanks left out, to compare headings.
@@ -305,11 +298,6 @@ class ColumnFinder {
         --to, --from;
         continue;
       }
-      // Between the titles and their units.
-      if (from < to && isBesideColumns(row) && holdsOnlyUnits(from, to)) {
-        --from;
-        continue;
-      }
       const std::string_view first = table_.cell(row, 0);
       if (first.find('=') != std::string_view::npos || first.ends_with(':')) break;  // a preamble's
       std::size_t over = 0;
@@ -326,7 +314,6 @@ class ColumnFinder {
       if (from < to && isPreambleLine(row)) break;
       --from;
     }
-    while (from < to && isBesideColumns(from)) ++from;
     if (from == to) from = to = lowest;
     // Texts right below data are a heading only if they name something measured: "over range,error" is a row
     // that failed.
@@ -340,15 +327,6 @@ class ColumnFinder {
   bool isBesideColumns(std::size_t row) const {
     return !facts_[row].isBlank() &&
            std::ranges::all_of(core_, [&](std::size_t c) { return table_.cell(row, c).empty(); });
-  }
-
-  bool holdsOnlyUnits(std::size_t from, std::size_t to) const {
-    for (std::size_t row = from; row < to; ++row)
-      for (const std::size_t c : core_)
-        if (const std::string_view cell = table_.cell(row, c);
-            !cell.empty() && unitOf(cell).kind == ColumnUnit::Kind::unknown)
-          return false;
-    return true;
   }
 
   /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its
@@ -368,16 +346,14 @@ class ColumnFinder {
         displacement = displacement || word.has(ColumnWord::displacement);
         force = force || word.has(ColumnWord::force);
       }
-    return (split.unit.kind == ColumnUnit::Kind::none || split.unit.kind == ColumnUnit::Kind::unknown) &&
-           force == displacement;
+    return !split.unit.isKnown() && force == displacement;
   }
 
   bool namesColumns(std::size_t from, std::size_t to) const {
     for (std::size_t row = from; row < to; ++row)
       for (const std::size_t c : numeric_) {
         const SplitTitle split = splitTitle(table_.cell(row, c));
-        if (split.unit.kind == ColumnUnit::Kind::displacement || split.unit.kind == ColumnUnit::Kind::force)
-          return true;
+        if (split.unit.isOfButton()) return true;
         const ColumnQuantity quantity = quantityOf(knownWordsIn(split.name));
         if (quantity == ColumnQuantity::displacement || quantity == ColumnQuantity::force) return true;
       }
@@ -401,7 +377,7 @@ class ColumnFinder {
       std::size_t known = 0;
       for (std::size_t c = 0; c < facts_[row].width; ++c) {
         const SplitTitle split = splitTitle(table_.cell(row, c));
-        known += split.unit.kind != ColumnUnit::Kind::none && split.unit.kind != ColumnUnit::Kind::unknown;
+        known += split.unit.isKnown();
         known += !knownWordsIn(split.name).words.empty();
       }
       return known < numeric_.size();
@@ -556,10 +532,8 @@ class ColumnFinder {
     const SplitTitle title = splitTitle(table_.cell(to - 1, 0));
     const ColumnQuantity quantity = quantityOf(knownWordsIn(title.name));
     const DataColumn& last = data_.columns.back();
-    const bool isMeasured =
-        title.unit.kind != ColumnUnit::Kind::none && title.unit.kind != ColumnUnit::Kind::unknown;
     return quantity != ColumnQuantity::index && quantity != ColumnQuantity::cycle &&
-           (quantity != ColumnQuantity::none || isMeasured) && (last.isText || !last.isConstant());
+           (quantity != ColumnQuantity::none || title.unit.isKnown()) && (last.isText || !last.isConstant());
   }
 
   void readHeadings() {
@@ -571,9 +545,11 @@ class ColumnFinder {
         continue;
       }
       for (std::size_t row = to; row-- > from;) {
-        std::string_view cell = withoutComment(table_.cell(row, column.index - shift));
-        // "# displacement force" over rows that do not begin with the sign.
-        if (cell.empty() && table_.cell(row, 0) == "#") cell = table_.cell(row, column.index + 1);
+        // "# displacement force" as NumPy writes it, over rows that do not begin with the sign.
+        const bool isMarked =
+            table_.cell(row, 0) == "#" && table_.cells(row) > data_.columns.back().index + 1;
+        const std::size_t at = isMarked ? column.index + 1 : column.index - shift;
+        const std::string_view cell = withoutComment(table_.cell(row, at));
         if (cell.empty()) continue;
         if (isCondition(cell) && !isConditionWithUnit(cell)) {
           column.title = std::string(cell) + (column.title.empty() ? "" : " " + column.title);
@@ -581,8 +557,7 @@ class ColumnFinder {
         }
         if (readScale(cell, column)) continue;
         const SplitTitle split = splitTitle(cell);
-        if (column.unit.kind == ColumnUnit::Kind::none || column.unit.kind == ColumnUnit::Kind::unknown)
-          if (split.unit.kind != ColumnUnit::Kind::none) column.unit = split.unit;
+        if (!column.unit.isKnown() && split.unit.kind != ColumnUnit::Kind::none) column.unit = split.unit;
         if (!split.name.empty()) column.title = split.name + (column.title.empty() ? "" : " " + column.title);
       }
     }
@@ -633,10 +608,7 @@ class ColumnFinder {
           texts.insert(table_.cell(data_.rowOf[r], column.index + 1));
         if (texts.size() == 1) unit = unitOf(*texts.begin());
       }
-      const bool known = unit.kind != ColumnUnit::Kind::none && unit.kind != ColumnUnit::Kind::unknown;
-      if (known &&
-          (column.unit.kind == ColumnUnit::Kind::none || column.unit.kind == ColumnUnit::Kind::unknown))
-        column.unit = unit;
+      if (unit.isKnown() && !column.unit.isKnown()) column.unit = unit;
     }
   }
 
@@ -696,7 +668,7 @@ class ColumnFinder {
     const std::size_t blank = left.find_last_of(' ');
     if (!measured || !(measured->value > 0) || blank == std::string_view::npos) return false;
     const ColumnUnit unit = unitOf(measured->rest);
-    if (unit.kind != ColumnUnit::Kind::force && unit.kind != ColumnUnit::Kind::displacement) return false;
+    if (!unit.isOfButton()) return false;
     const std::size_t before = left.find_last_of(' ', blank - 1);
     const auto from = numberIn(left.substr(before == std::string_view::npos ? 0 : before + 1), table_.style);
     if (!from || !(from->value > 0) || from->rest.empty()) return false;
@@ -739,20 +711,17 @@ class ColumnFinder {
     if (per == std::string::npos || !number || !(number->value > 0)) return;
     const std::string above = lowered(trimmed(std::string_view(plain).substr(0, per)));
     const std::string below(trimmed(std::string_view(plain).substr(per + 5)));
-    const auto measured = [](const ColumnUnit& unit) {
-      return unit.kind == ColumnUnit::Kind::displacement || unit.kind == ColumnUnit::Kind::force;
-    };
     const auto singular = [](std::string word) {
       if (word.size() > 3 && word.back() == 's') word.pop_back();
       return word;
     };
     for (DataColumn& column : data_.columns) {
       const std::string title = singular(lowered(column.title.empty() ? column.unit.text : column.title));
-      if (title.empty() || measured(column.unit)) continue;
+      if (title.empty() || column.unit.isOfButton()) continue;
       const ColumnUnit over = unitOf(above), under = unitOf(below);
-      if (measured(under) && title.find(singular(above)) != std::string::npos)
+      if (under.isOfButton() && title.find(singular(above)) != std::string::npos)
         column.unit = {under.kind, under.size / number->value, under.text};
-      else if (measured(over) && title.find(singular(lowered(below))) != std::string::npos)
+      else if (over.isOfButton() && title.find(singular(lowered(below))) != std::string::npos)
         column.unit = {over.kind, over.size * number->value, over.text};
       else
         continue;
@@ -789,16 +758,12 @@ class ColumnFinder {
     column.groupWords = knownWordsIn(outsideBrackets(splitTitle(column.group).name));
     column.quantity = quantityOf(column.words);
     settleName(column);
-    const auto measured = [](ColumnUnit::Kind kind) {
-      return kind == ColumnUnit::Kind::displacement || kind == ColumnUnit::Kind::force ||
-             kind == ColumnUnit::Kind::time;
-    };
     // The heading above counts where the column's own says nothing.
     if (column.quantity == ColumnQuantity::none && column.unit.kind == ColumnUnit::Kind::none &&
         !column.group.empty()) {
       column.quantity = quantityOf(column.groupWords);
       const ColumnUnit unit = splitTitle(column.group).unit;
-      if (measured(unit.kind)) column.unit = unit;
+      if (unit.isOfButton() || unit.kind == ColumnUnit::Kind::time) column.unit = unit;
     }
     // A word that names a stroke and a quantity ("load", "compression") is the stroke's where the unit is
     // another quantity's.
@@ -808,9 +773,6 @@ class ColumnFinder {
     if (column.unit.kind == ColumnUnit::Kind::force && column.quantity == ColumnQuantity::displacement &&
         (column.words.has(ColumnWord::force) || column.words.has(ColumnWord::press)))
       column.quantity = column.words.has(ColumnWord::force) ? ColumnQuantity::force : ColumnQuantity::none;
-    if (column.unit.kind == ColumnUnit::Kind::displacement && column.quantity == ColumnQuantity::force &&
-        column.words.has(ColumnWord::press))
-      column.quantity = ColumnQuantity::none;
     // Ounces are a force where a force is named, else of anything.
     if (lowered(column.unit.text) == "oz" && !column.title.empty() && !column.has(ColumnWord::force) &&
         !column.has(ColumnWord::forceWeak))
@@ -873,11 +835,7 @@ void giveUnit(DataColumn& column, ColumnUnit unit) {
 }
 
 std::optional<DataTable> dataIn(const Table& table) {
-  if (isTransposed(table)) {
-    auto data = ColumnFinder(table.transposed()).find();
-    return data;
-  }
-  return ColumnFinder(table).find();
+  return isTransposed(table) ? ColumnFinder(table.transposed()).find() : ColumnFinder(table).find();
 }
 
 }  // namespace detent::importer

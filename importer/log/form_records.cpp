@@ -240,10 +240,7 @@ class RecordFormer {
           ++filled;
           if (const auto place = known.find(cell); place != known.end()) continue;
           const auto stroke = strokeNamedIn(cell);
-          constexpr std::size_t mostWords = 3;  // a switch may be called "Sunny Side Up Linear"
-          const KnownWords words = knownWordsIn(cell);
-          all = stroke.has_value() && known.size() < mostLabels && words.unknown == 0 &&
-                words.words.size() <= mostWords;
+          all = stroke.has_value() && known.size() < mostLabels && knownWordsIn(cell).unknown == 0;
           known.emplace(cell, stroke);
         }
         if (!all || filled * 10 < data_.rows() * 8) continue;
@@ -303,13 +300,11 @@ class RecordFormer {
       std::map<std::size_t, std::string> at;
       std::string_view before;
       bool contiguous = true;
-      std::set<std::string_view> seen;
       for (std::size_t row = 0; row < data_.rows() && contiguous; ++row) {
         const std::string_view cell = cellOf(c, row);
         if (cell.empty() || cell == before) continue;
-        contiguous = seen.insert(cell).second;
         constexpr std::size_t fewestRows = 4;
-        if (!at.empty() && row - at.rbegin()->first < fewestRows) contiguous = false;
+        contiguous = at.empty() || row - at.rbegin()->first >= fewestRows;
         at[row] = column.isText ? std::string(cell) : column.title + " " + std::string(cell);
         before = cell;
       }
@@ -415,7 +410,6 @@ class RecordFormer {
     for (const FoundStroke& each : strokes) {
       if (each.stroke == Stroke::press) {
         if (each.travel < kWhole * longest) {
-          ++made_.aborted;
           const bool twitch = each.travel < 0.3 * longest && open && !made_.records[*open].release.empty();
           resumed = twitch;
           if (!twitch) {

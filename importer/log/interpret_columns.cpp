@@ -333,12 +333,11 @@ class Interpreter {
     return best;
   }
 
-  std::string groupName(std::size_t force, std::size_t displacement, bool withoutStroke) const {
+  std::string groupName(std::size_t force, bool withoutStroke) const {
     const auto nameOf = [&](std::size_t c) {
       return column(c).group.empty() ? column(c).title : column(c).group;
     };
     std::string name = nameOf(force);
-    if (column(force).group.empty() && !column(displacement).group.empty()) name = column(displacement).group;
     const KnownWords& own = column(force).words;
     const bool isQuantity =
         own.unknown == 0 && std::ranges::all_of(own.words, [](const KnownWords::Word& word) {
@@ -463,7 +462,7 @@ class Interpreter {
       auto stroke = columnStroke(f);
       if (!stroke && xs_.size() == fs_.size()) stroke = columnStroke(x);
       release = release || stroke == Stroke::release;
-      groups.push_back({x, f, stroke, groupName(f, x, false)});
+      groups.push_back({x, f, stroke, groupName(f, false)});
     }
     if (release) {
       // A column beside one called release is the press.
@@ -473,7 +472,7 @@ class Interpreter {
         if (groups[0].stroke == Stroke::release) std::swap(groups[0], groups[1]);
         groups[0].name.clear(), groups[1].name.clear();
       } else {
-        for (ColumnGroup& group : groups) group.name = groupName(group.force, group.displacement, true);
+        for (ColumnGroup& group : groups) group.name = groupName(group.force, true);
       }
       Evidence evidence;
       evidence.add("strokes named", column(groups.back().force).label(), 3);

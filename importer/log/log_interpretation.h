@@ -40,7 +40,6 @@ struct LogInterpretation {
   Evidence evidence;
   std::vector<LogRecord> records;  ///< at least one, with a press; empty: it gives none
   bool forcesTurned = false, displacementTurned = false, fromRun = false, joined = false;
-  std::size_t aborted = 0;  ///< presses that were broken off and left out
   std::string reading(const DataTable& data) const;
 };
 

@@ -234,16 +234,13 @@ class LogReader {
     if (ending == ".json" || start.starts_with('{') || start.starts_with("[{")) {
       const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
       if (keepsStrokesApart(json)) {
-        const auto switches = switchesOfJson(*text, subject);
+        const auto switches = switchesOfJson(json, subject);
         if (!switches) return switches.failure();
         return fromSwitches(*switches);
       }
       if (auto table = json.is_discarded() ? std::nullopt : tableOfJson(json))
         return fromTable(std::move(*table), subject, eitherStroke);
-      if (ending == ".json") {
-        const auto why = switchesOfJson(*text, subject);
-        if (!why) return why.failure();
-      }
+      if (ending == ".json") return switchesOfJson(json, subject).failure();
     }
     auto table = tableOfText(std::move(*text), subject, progress_);
     if (!table) return table.failure();
@@ -528,8 +525,7 @@ class LogReader {
     const auto take = [&](ColumnQuantity quantity, ColumnUnit::Kind kind, std::string_view symbol,
                           double size) {
       for (DataColumn& each : data.columns) {
-        if (each.isText || each.quantity != quantity || each.unit.kind == kind ||
-            each.unit.kind == ColumnUnit::Kind::none || each.unit.kind == ColumnUnit::Kind::unknown)
+        if (each.isText || each.quantity != quantity || each.unit.kind == kind || !each.unit.isKnown())
           continue;
         remark(
             Message("column %1 was taken in %2, the unit given by hand", each.label(), std::string(symbol)));
@@ -738,14 +734,11 @@ class LogReader {
         log_.remarks.push_back({RemarkCode::preloadTakenOff, {{before->force_N, Measure::force_N}}});
       }
       const double air_mm = before->contact_mm - start_mm;
-      constexpr double leastShare = 0.01;  // of the travel
-      if (air_mm > leastShare * travel_mm) {
-        cutBefore(press, before->contact_mm, true);
-        cutBefore(release, before->contact_mm, false);
-        shift_mm = before->contact_mm;
-        remark(Message("an approach of %1 through air was cut off; contact is certain to %2",
-                       millimetres(air_mm), millimetres(before->uncertainty_mm)));
-      }
+      cutBefore(press, before->contact_mm, true);
+      cutBefore(release, before->contact_mm, false);
+      shift_mm = before->contact_mm;
+      remark(Message("an approach of %1 through air was cut off; contact is certain to %2",
+                     millimetres(air_mm), millimetres(before->uncertainty_mm)));
     }
     if (shift_mm == 0) {
       // A stage's place is no travel; a press that starts at rest starts at zero.
@@ -793,8 +786,7 @@ class LogReader {
       for (const DataColumn& each : data.columns) {
         if (each.isText || each.isConstant() || !each.has(ColumnWord::contact)) continue;
         if (each.displacement > 0 || each.force > 0) continue;
-        const bool press = each.has(ColumnWord::press) && each.title.find("ctuat") != 0,
-                   release = each.has(ColumnWord::release);
+        const bool press = each.has(ColumnWord::press), release = each.has(ColumnWord::release);
         if (stroke == Stroke::release ? release : press && !release) return &each;
         if (!release || stroke == Stroke::release) any = any ? any : &each;
       }

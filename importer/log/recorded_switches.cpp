@@ -4,18 +4,80 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
-#include "importer/log/sheet_columns.h"
 #include "model/text.h"
 
 namespace detent::importer {
 namespace {
 
 // -- spreadsheets ------------------------------------------------------------------------------------------------
+
+/// A column of numbers under its headings.
+struct SheetColumn {
+  /// Of a two-line heading the upper line, carried to the right over the columns it spans.
+  std::string title;
+  std::string heading;         ///< the line just above the numbers
+  std::vector<double> values;  ///< NaN where a cell holds no number
+};
+
+/// Three numbers or more, not more texts than numbers, and no word of a force: headings may have results of the measurement beside them.
+bool isOfNumbers(const Table& sheet, std::size_t row) {
+  constexpr int leastNumbers = 3;
+  int numbers = 0, texts = 0;
+  for (std::size_t c = 0; c < sheet.cells(row); ++c) {
+    const std::string_view cell = sheet.cell(row, c);
+    if (cell.empty()) continue;
+    if (sheet.number(row, c))
+      ++numbers;
+    else if (lowered(cell).find("force") != std::string::npos)
+      return false;
+    else
+      ++texts;
+  }
+  return numbers >= leastNumbers && numbers >= texts;
+}
+
+std::vector<SheetColumn> headed(const Table& sheet, const std::vector<std::size_t>& above,
+                                std::size_t width) {
+  std::vector<SheetColumn> columns(width);
+  std::string title;
+  for (std::size_t i = 0; i < width; ++i) {
+    if (above.size() > 1 && !sheet.cell(above[above.size() - 2], i).empty())
+      title = std::string(sheet.cell(above[above.size() - 2], i));
+    columns[i].title = title;
+    if (!above.empty()) columns[i].heading = std::string(sheet.cell(above.back(), i));
+  }
+  return columns;
+}
+
+/// Columns of a sheet; none where no row is of numbers. The headings stand above the first such row.
+std::vector<SheetColumn> sheetColumns(const Table& sheet) {
+  std::vector<std::size_t> above;
+  std::vector<SheetColumn> columns;
+  for (std::size_t row = 0; row < sheet.rows(); ++row) {
+    const std::size_t width = sheet.cells(row);
+    if (columns.empty()) {
+      if (!isOfNumbers(sheet, row)) {
+        if (width > 0) above.push_back(row);
+        continue;
+      }
+      std::size_t widest = width;
+      for (const std::size_t each : above) widest = std::max(widest, sheet.cells(each));
+      columns = headed(sheet, above, widest);
+    }
+    if (width == 0) continue;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto number = sheet.number(row, i);
+      columns[i].values.push_back(number ? number->value : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return columns;
+}
 
 enum class ColumnKind { other, travel, force, contact };
 
@@ -205,8 +267,7 @@ bool keepsStrokesApart(const nlohmann::json& json) {
          (json.is_object() && (json.contains("resources") || json.contains("down_x")));
 }
 
-Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+Result<std::vector<RecordedSwitch>> switchesOfJson(const nlohmann::json& json, const std::string& subject) {
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
   if (json.is_discarded())
     return unreadableFile(subject, Message("it is no JSON"),

@@ -34,7 +34,7 @@ std::vector<RecordedSwitch> switchesOfSheet(const Table& sheet);
 
 /// Switches of a JSON file that keeps strokes apart, or of a WebPlotDigitizer project in JSON or TAR. In the order of the file, at
 /// least one. Failure unreadableInput: damaged; noForceGraph: no strokes in it.
-Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject);
+Result<std::vector<RecordedSwitch>> switchesOfJson(const nlohmann::json& json, const std::string& subject);
 Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, const std::string& subject);
 
 /// Returns true if a JSON document is of a kind that switchesOfJson knows.

@@ -253,15 +253,12 @@ double roughnessOf(const std::vector<double>& values) {
   return sum / (high - low);
 }
 
-/// Scores a dialect on the sampled lines: rows of numbers of one width, nothing left over, smooth columns.
+/// Scores a dialect on the sampled lines: rows of numbers, nothing left over, smooth columns.
 void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
-  std::map<std::size_t, std::size_t> widths;
   std::map<std::size_t, std::vector<double>> columns;
-  double rows = 0, junk = 0, numbers = 0;
-  std::vector<std::size_t> widthOf;
+  double rows = 0, junk = 0;
   for (const std::string_view line : lines) {
     std::size_t width = 0, inLine = 0;
-    double junkInLine = 0;
     splitLine(line, 0, dialect.delimiter, [&](std::string_view raw) {
       const std::string_view cell = withoutQuotes(raw);
       const std::size_t column = width++;
@@ -270,21 +267,16 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
         ++inLine;
         columns[column].push_back(number->value);
       } else if (isDigit(cell[cell.find_first_not_of("+-") % cell.size()]) && !isDate(cell)) {
-        junkInLine += 1;  // digits that make no number
+        junk += 1;  // digits that make no number
       }
     });
-    if (inLine >= 2) rows += 1, numbers += static_cast<double>(inLine), ++widths[width];
-    junk += junkInLine;
+    if (inLine >= 2) rows += 1;
   }
-  std::size_t usual = 0;
-  for (const auto& [width, count] : widths) usual = std::max(usual, count);
-  const double odd = rows - static_cast<double>(usual);
   double rough = 0;
   for (const auto& [column, values] : columns) rough += std::min(roughnessOf(values), 50.0);
   const double all = std::max(1.0, static_cast<double>(lines.size()));
-  constexpr double junkWorth = 1.5, oddWorth = 1, roughWorth = 0.01;  // shares of a row that is read
-  dialect.score =
-      (rows == 0 ? -1 : 0) + (rows - junkWorth * junk - oddWorth * odd) / all - roughWorth * rough;
+  constexpr double junkWorth = 1.5, roughWorth = 0.01;  // shares of a row that is read
+  dialect.score = (rows == 0 ? -1 : 0) + (rows - junkWorth * junk) / all - roughWorth * rough;
 }
 
 /// Returns true if every row is k times "digits,digits" where the comma is the delimiter as well.

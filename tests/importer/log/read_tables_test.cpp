@@ -445,6 +445,30 @@ TEST_CASE("titles stand one cell to the left where rows have names, as R writes 
   }
 }
 
+TEST_CASE("titles stand one cell to the right behind a comment sign, as NumPy writes them") {
+  for (const char* header : {"# displacement_mm force_N\n", "# displacement force\n"}) {
+    CAPTURE(header);
+    const LayoutFile file(header +
+                          rowsOf([](double x, double f, int) { return formatted("%.4f %.4f\n", x, f); }));
+    const auto log = readForceLog(file.path());
+    REQUIRE(log);
+    checkButton(*log);
+  }
+}
+
+TEST_CASE("a release that stands above its press, both named, is the release") {
+  const auto row = [](double x, double f, int) { return formatted("%.4f;%.4f\n", x, f); };
+  const std::string press = rowsOf(row, false);
+  std::string release;
+  for (int i = 0; i <= 160; ++i)
+    release += row(travel_mm * i / 160, buttonForce_N(travel_mm * i / 160, i == 160), i);
+  const LayoutFile file("Release\nTravel (mm);Force (N)\n" + release + "\nPress\nTravel (mm);Force (N)\n" +
+                        press);
+  const auto log = readForceLog(file.path());
+  REQUIRE(log);
+  checkButton(*log);
+}
+
 TEST_CASE("a unit given by hand settles a column whose title and unit contradict each other") {
   const LayoutFile file("Travel (mm),Force (s)\n" +
                         rowsOf([](double x, double f, int) { return formatted("%.4f,%.4f\n", x, f); }));
