@@ -29,7 +29,8 @@ enum class ForceHalt : std::uint8_t {
   deadCount,  ///< the encoder did not count one step under force, nor when the force was taken away
   runaway,    ///< the handle ran on against the whole force: motor reversed, or pressed harder than the limit
   dropOuts,   ///< readings failed again and again
-  displaced,  ///< the position jumped, or the device was away or reset: where the handle is, is not known
+  displaced,  ///< the position jumped, the device was away or reset, or a pause ended with the handle far
+              ///< beyond the travel: where the handle is, is not known
   notHeld     ///< hold-to-run, and nobody holds
 };
 
@@ -127,6 +128,7 @@ class ForceGuard {
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the place was taken on trust
   bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
+  bool paused_ = false;  ///< the loop stood still, and no reading has been believed since
   ForceHalt latched_ = ForceHalt::none;
   double time_s_ = 0;                              ///< since the start
   std::array<double, mostDropOuts> dropOuts_s_{};  ///< the newest, a ring
