@@ -30,7 +30,8 @@ struct ForceReading {
   bool fresh = true;                    ///< false: no new answer in this period
   double periods = 1;                   ///< since the reading before; more where the loop was late
   Zero zero = Zero::kept;
-  bool stopped = false;  ///< somebody pressed the device's own emergency switch
+  bool stopped = false;    ///< somebody pressed the device's own emergency switch
+  bool deadCount = false;  ///< the device stopped the law it runs: its encoder counted no step under force
 };
 
 /// Command to the device.
