@@ -39,7 +39,8 @@ class OdriveForceDevice : public ForceDevice {
   ~OdriveForceDevice() override;
 
   /// One question is in flight at a time, because an ODrive's answers carry no number: an answer that comes after its period is late, not
-  /// fresh, and while it is pending nothing else is requested. An answer that nobody requested is counted as repeated, never used.
+  /// fresh, and while it is pending nothing else is requested. An answer that nobody requested is counted as repeated,
+  /// never used.
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s) override;

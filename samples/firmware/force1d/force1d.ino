@@ -16,15 +16,16 @@
 const int32_t step_nm = 10000;            // one encoder count at the handle
 const int32_t largestForce_uN = 5000000;  // what the motor bears
 const int32_t fullDuty_uN = 5100000;      // force at a PWM duty of 100 %, measured with a scale while the handle stands still
-const int32_t watchedAbove_uN = 250000;   // five times the friction of the handle, 0.25 N at least: the encoder is watched above it
+const int32_t watchedAbove_uN = 250000;   // the encoder is watched above it: five times the friction, 0.25 N at least
 const uint32_t baud = 500000;             // exact on a 16 MHz AVR, where 230400 is 3.5 % off; native USB ignores it
 
 const uint32_t longestSilence_ms = 50;  // without a line for so long the force goes; the host may ask for less
 const uint32_t watchdog_ms = 60;        // the board resets itself when loop() stands still for so long
 const int32_t fall_us = 10000;          // at too high a speed the force of the table falls to nothing within this
 const int32_t velocityFilter_us = 2000;
-// A table whose encoder counts no step for stillFor_us loses its force over probe_us, and stops after uncounted_us in all; each step
-// brings the force back within regained_us. Times of docs/develop/decisions/1114-dead-encoders.md.
+// A table whose encoder counts no step for stillFor_us loses its force over probe_us, and stops after
+// uncounted_us in all; each step brings the force back within regained_us. Times of
+// docs/develop/decisions/1114-dead-encoders.md.
 const int32_t stillFor_us = 200000, probe_us = 110000, uncounted_us = 410000, regained_us = 20000;
 const int32_t watchedFrom_nm = 100000;   // closer to its rest a handle may stand at its stop for ever
 const uint32_t longestAnswer_us = 5000;  // an answer that the port does not take within this is dropped
@@ -215,7 +216,8 @@ void moveGain(int32_t step_us) {
   gain_ppm = constrain(gain_ppm, 0, 1000000);
 }
 
-// A count that stands still is a resting finger or a dead encoder. A live one counts as soon as the force falls under the finger.
+// A count that stands still is a resting finger or a dead encoder. A live one counts as soon as the force falls
+// under the finger.
 int64_t watchedForce(int64_t wanted_uN, int32_t position_nm, bool moved, int32_t step_us) {
   const bool watched = (wanted_uN > watchedAbove_uN || wanted_uN < -watchedAbove_uN) && position_nm > watchedFrom_nm &&
                        position_nm > 2 * step_nm;
