@@ -83,7 +83,7 @@ void ForceLoop::step() {
   ForceReading reading = device_->exchange(command_);
   if (settings_.paced) {
     const double before_s = std::exchange(exchanged_s_, now_s());
-    // What a late loop did not see may have moved.
+    // The handle may have moved while a late loop saw nothing.
     if (before_s > 0) reading.periods = std::max(1.0, (exchanged_s_ - before_s) / program_->period_s);
   }
   // An answer that waited while this program stood still is the place of before the pause.
