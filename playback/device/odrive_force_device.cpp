@@ -456,8 +456,8 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
   return Answer::other;
 }
 
-/// Takes the lines that lie in the port before a position is requested: an answer too many would pass for that
-/// position's answer, and each further one would make all positions a period older.
+/// Takes the lines that lie in the port before a position is requested: an answer too many would pass for
+/// that position's answer, and each further one would make all positions a period older.
 void OdriveForceDevice::takeArrived(double deadline_s) {
   requestedNow_ = false;
   while (now_s() < deadline_s) {

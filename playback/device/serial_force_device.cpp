@@ -28,8 +28,8 @@ constexpr double tableSilence =
 // Without answers a table continues for this many questions, or round trips of a slow link.
 constexpr std::uint32_t unansweredQuestions = 3;
 constexpr double unheard_s = 0.010, unheardTrips = 3, longestUnheardEver_s = 0.05;
-constexpr std::int32_t questionsForALine = 8;        // after these the line is sent again, answered or not
-constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
+constexpr std::int32_t questionsForALine = 8;  // after these the line is sent again, answered or not
+constexpr int stoppedState = 1, unlimitedState = 2, deadCountState = 3;  // of an answer
 
 /// Fields between commas. A line with more fields than fit is not of this protocol.
 struct Fields {
@@ -402,8 +402,9 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
     limitHeld_ = false;
     loseLaw();
   }
-  reading.stopped =
-      state == stoppedState && !stopSent_ && static_cast<std::int32_t>(sequence - armedSince_) >= 0;
+  const bool sinceArmed = static_cast<std::int32_t>(sequence - armedSince_) >= 0;
+  reading.stopped = state == stoppedState && !stopSent_ && sinceArmed;
+  reading.deadCount = state == deadCountState && !arming_ && sinceArmed;
   reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;
   reading.fresh = true;
   if (std::exchange(zeroLost_, false)) reading.zero = ForceReading::Zero::lost;

@@ -126,8 +126,8 @@ std::string sentenceOf(ForceHalt halt) {
     case ForceHalt::notHeld:
       break;
     case ForceHalt::displaced:
-      return "place lost: the position jumped, or the device was away or reset. Let the handle rest at 0, "
-             "then press a";
+      return "place lost: the position jumped, the device was away or reset, or this program paused and the "
+             "handle is beyond the travel. Let the handle rest at 0, then press a";
     case ForceHalt::reversed:
       return "reversed polarity: the handle moves against the force. Swap the motor's two wires or the "
              "encoder's A and B (of an ODrive: calibrate motor and encoder anew)";

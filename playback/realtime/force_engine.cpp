@@ -163,6 +163,7 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
     running_ = false;
   }
   if (reading.stopped) guard_.emergencyStop();
+  if (reading.deadCount) guard_.latch(ForceHalt::deadCount);
   const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh, reading.periods);
   last_.good = verdict == ReadingVerdict::good;
   last_.proving = proving_;

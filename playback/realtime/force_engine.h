@@ -31,6 +31,8 @@ struct ForceReading {
   double periods = 1;                   ///< since the previous reading; more than 1 if the loop was late
   Zero zero = Zero::kept;
   bool stopped = false;  ///< a person pressed the device's own emergency switch
+  bool deadCount =
+      false;  ///< the device stopped the law that it runs: its encoder counted no step under force
 };
 
 /// Command to the device.

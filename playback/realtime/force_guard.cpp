@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace detent::playback {
 
@@ -164,6 +165,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
   moved_mm_ = 0;
   if (running_ && elapsed_s_ > std::max(limits_.stall_s, longestStall * period_s_)) {
     ++counts_.stalled;
+    paused_ = true;
     riseAnew();
   }
   since_ += periods;
@@ -174,6 +176,8 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
     if (started_ && since_ > 0) pace_mm_ = (position_mm - last_mm_) / since_;
     if (started_) moved_mm_ = position_mm - last_mm_;
     follow(position_mm);
+    // A finger that lost its force threw the handle there: the force that comes back would throw it out.
+    if (std::exchange(paused_, false) && position_mm > limits_.travelEnd_mm + farBeyond_mm) displace();
     since_ = unseen_ = 0;
     bad_ = 0;
     if (good_ <= limits_.heldReadings) ++good_;
@@ -187,7 +191,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
 }
 
 void ForceGuard::forgetPlace() {
-  started_ = false;
+  started_ = paused_ = false;
   settled_ = unchanged_ = 0;
   pace_mm_ = since_ = unseen_ = jumps_ = 0;
   paces_mm_.fill(0);

@@ -32,7 +32,8 @@ enum class ForceHalt : std::uint8_t {
   /// the limit
   runaway,
   dropOuts,  ///< readings failed repeatedly
-  /// the position jumped, or the device was absent or reset, so the position of the handle is unknown
+  /// the position jumped, the device was absent or reset, or a pause ended with the handle far beyond the
+  /// travel, so the position of the handle is unknown
   displaced,
   notHeld  ///< hold-to-run, and nobody holds
 };
@@ -131,6 +132,7 @@ class ForceGuard {
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the position was accepted without proof
   bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
+  bool paused_ = false;  ///< the loop stood still, and no reading has been believed since
   ForceHalt latched_ = ForceHalt::none;
   double time_s_ = 0;                              ///< since the start
   std::array<double, mostDropOuts> dropOuts_s_{};  ///< the most recent ones, as a ring buffer

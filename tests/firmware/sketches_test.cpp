@@ -437,6 +437,66 @@ TEST_CASE("force1d: a new table, or F, ends the force of the table before") {
   CHECK(board.force_N() == Approx(-1).margin(0.01));
 }
 
+namespace {
+
+/// The table's whole force at this depth, moved there right before.
+void holdAt(ForceBoard& board, int counts) {
+  uploadSpring(board);
+  board.turn(counts, 100);
+  REQUIRE(board.ask("G") == "A");
+  for (int i = 0; i < 56; ++i) {  // 224 ms: the ramp
+    board.turn(i % 2 ? -1 : 1, 100);
+    board.keepAsking("H", 1);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("force1d: a table whose encoder counts no more loses its force, and says why until U") {
+  for (const BoardKind* kind : {&uno, &mega}) {
+    INFO(kind->name);
+    ForceBoard board(*kind);
+    holdAt(board, 500);
+    REQUIRE(board.force_N() == Approx(0.5).margin(0.02));
+    board.keepAsking("H", 45);  // 180 ms
+    CHECK(board.force_N() == Approx(0.5).margin(0.02));
+    board.keepAsking("H", 35);  // 320 ms
+    CHECK(board.force_N() < 0.01);
+    CHECK(stateOf(board.keepAsking("H", 10)) == "0");
+    CHECK(stateOf(board.keepAsking("H", 20)) == "3");  // 440 ms
+    board.turn(1, 100);
+    CHECK(stateOf(board.keepAsking("H", 10)) == "3");
+    CHECK(board.duty() == 0);
+    board.ask("U", 1000);
+    board.turn(1, 100);
+    CHECK(stateOf(board.keepAsking("H", 56)) == "0");
+    CHECK(board.force_N() > 0.4);
+  }
+}
+
+TEST_CASE("force1d: a resting finger whose encoder counts one step has its force back within 30 ms") {
+  for (const BoardKind* kind : {&uno, &mega}) {
+    INFO(kind->name);
+    ForceBoard board(*kind);
+    holdAt(board, 500);
+    for (int i = 0; i < 3; ++i) {
+      board.keepAsking("H", 60);  // 240 ms
+      CHECK(board.force_N() < 0.4);
+      board.turn(i % 2 ? -1 : 1, 100);
+      board.keepAsking("H", 7);
+      CHECK(board.force_N() == Approx(0.5).margin(0.03));
+    }
+  }
+}
+
+TEST_CASE("force1d: the encoder is not watched under little force") {
+  ForceBoard board(uno);
+  holdAt(board, 220);  // 0.22 N
+  board.keepAsking("H", 150);
+  CHECK(board.force_N() == Approx(0.22).margin(0.02));
+  CHECK(stateOf(board.keepAsking("H", 1)) == "0");
+}
+
 TEST_CASE("force1d: goes on through the wrap of the clock") {
   ForceBoard board(mega);
   uploadSpring(board);
@@ -446,6 +506,7 @@ TEST_CASE("force1d: goes on through the wrap of the clock") {
   REQUIRE(board.ask("G") == "A");
   board.keepAsking("H", 50);
   for (int i = 0; i < 60; ++i) {
+    board.turn(i % 2 ? -1 : 1, 100);  // a finger trembles
     board.keepAsking("H", 1);
     REQUIRE(board.force_N() == Approx(0.5).margin(0.02));
   }

@@ -11,17 +11,23 @@
 // Nano: 9); an emergency switch that opens when pressed between 6 and ground. 10 kOhm from each of the two H-bridge inputs to ground:
 // from reset until this program runs (8 s in a Leonardo's bootloader) the pins float. While pin 6 is open there is no force, so a
 // wire that breaks stops the motor too; a bridge to ground does without a switch.
-// Change the first three numbers below to your device. There is no force before the host has set a limit.
+// Change the first four numbers below to your device. There is no force before the host has set a limit.
 
 const int32_t step_nm = 10000;            // one encoder count at the handle
 const int32_t largestForce_uN = 5000000;  // what the motor bears
 const int32_t fullDuty_uN = 5100000;      // force at a PWM duty of 100 %, measured with a scale while the handle stands still
+const int32_t watchedAbove_uN = 250000;   // the encoder is watched above it: five times the friction, 0.25 N at least
 const uint32_t baud = 500000;             // exact on a 16 MHz AVR, where 230400 is 3.5 % off; native USB ignores it
 
 const uint32_t longestSilence_ms = 50;  // without a line for so long the force goes; the host may ask for less
 const uint32_t watchdog_ms = 60;        // the board resets itself when loop() stands still for so long
 const int32_t fall_us = 10000;          // at too high a speed the force of the table falls to nothing within this
 const int32_t velocityFilter_us = 2000;
+// A table whose encoder counts no step for stillFor_us loses its force over probe_us, and stops after
+// uncounted_us in all; each step brings the force back within regained_us. Times of
+// docs/develop/decisions/1114-dead-encoders.md.
+const int32_t stillFor_us = 200000, probe_us = 110000, uncounted_us = 410000, regained_us = 20000;
+const int32_t watchedFrom_nm = 100000;   // closer to its rest a handle may stand at its stop for ever
 const uint32_t longestAnswer_us = 5000;  // an answer that the port does not take within this is dropped
 
 const uint8_t encoderA = 2, encoderB = 3, directionPin = 4, stopPin = 6;
@@ -130,8 +136,11 @@ bool ownLaw;
 
 // What the host has set. No limit: no force.
 int32_t limit_uN, slew_uN_per_ms, speed_um_per_s, rise_ms = 1, silence_ms = (int32_t)longestSilence_ms;
-bool stopped, tooFast;     // stopped: by the switch or the host, until it says U
+bool stopped, tooFast;     // stopped: by the switch, the host or a dead encoder, until the host says U
+bool deadEncoder;          // it stopped because the encoder counted no step under force
 int32_t gain_ppm;          // of the table's force that is let through
+int32_t still_us;          // without a step under force
+int32_t believed_ppm;      // of the force, as far as the count is believed
 
 volatile int32_t counts;
 int32_t force_uN, centre_nm, lastPosition_nm, velocity_um_per_s;
@@ -207,8 +216,21 @@ void moveGain(int32_t step_us) {
   gain_ppm = constrain(gain_ppm, 0, 1000000);
 }
 
+// A count that stands still is a resting finger or a dead encoder. A live one counts as soon as the force falls
+// under the finger.
+int64_t watchedForce(int64_t wanted_uN, int32_t position_nm, bool moved, int32_t step_us) {
+  const bool watched = (wanted_uN > watchedAbove_uN || wanted_uN < -watchedAbove_uN) && position_nm > watchedFrom_nm &&
+                       position_nm > 2 * step_nm;
+  still_us = moved || !watched ? 0 : still_us + step_us;
+  believed_ppm += (int32_t)(still_us >= stillFor_us ? -1000000LL * step_us / probe_us : 1000000LL * step_us / regained_us);
+  believed_ppm = constrain(believed_ppm, 0, 1000000);
+  if (still_us >= uncounted_us) stopped = deadEncoder = true;
+  return wanted_uN * believed_ppm / 1000000;
+}
+
 void runLaw(int32_t step_us) {
   const int32_t position_nm = positionNow_nm();
+  const bool moved = position_nm != lastPosition_nm;
   const int64_t speed = (int64_t)(position_nm - lastPosition_nm) * 1000 / step_us;
   velocity_um_per_s += (int32_t)((speed - velocity_um_per_s) * step_us / (velocityFilter_us > step_us ? velocityFilter_us : step_us));
   lastPosition_nm = position_nm;
@@ -216,7 +238,7 @@ void runLaw(int32_t step_us) {
   // Limited, then faded, then no faster than the slew limit, and never above the ramp: as the host does it.
   int64_t wanted_uN = lawForce(position_nm);
   wanted_uN = wanted_uN > limit_uN ? limit_uN : wanted_uN < -limit_uN ? -(int64_t)limit_uN : wanted_uN;
-  wanted_uN = wanted_uN * gain_ppm / 1000000;
+  wanted_uN = watchedForce(wanted_uN * gain_ppm / 1000000, position_nm, moved, step_us);
   const int64_t change_uN = (int64_t)slew_uN_per_ms * step_us / 1000, most_uN = (int64_t)limit_uN * gain_ppm / 1000000;
   if (wanted_uN > force_uN + change_uN) wanted_uN = force_uN + change_uN;
   if (wanted_uN < force_uN - change_uN) wanted_uN = force_uN - change_uN;
@@ -226,7 +248,8 @@ void runLaw(int32_t step_us) {
 }
 
 void noForce() {
-  gain_ppm = 0;
+  gain_ppm = still_us = 0;
+  believed_ppm = 1000000;
   setForce(0);
 }
 
@@ -276,7 +299,7 @@ void send(const char* body) {
 
 void answerPosition(const char* sequence) {
   char body[72];
-  const int state = stopped ? 1 : limit_uN == 0 ? 2 : 0;
+  const int state = deadEncoder ? 3 : stopped ? 1 : limit_uN == 0 ? 2 : 0;
   snprintf(body, sizeof body, "P,%s,%lu,%ld,%d", sequence, (unsigned long)micros(), (long)positionNow_nm(), state);
   send(body);
 }
@@ -431,6 +454,7 @@ bool takeLine(char* text) {
     case 'U':
       if (!alone) return false;
       stopped = digitalRead(stopPin) != 0;
+      deadEncoder = false;
       noForce();
       return true;
     case 'X':

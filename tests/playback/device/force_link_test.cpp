@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -278,6 +279,7 @@ class TableBoard {
   double exchanges(int count) {
     double most_N = 0;
     for (int i = 0; i < count; ++i) {
+      firmware::counts = firmware::counts ^ 1;  // a finger trembles
       answered(*device_);
       most_N = std::max(most_N, force_N());
       firmware::run(10000);
@@ -537,6 +539,7 @@ TEST_CASE("serial force device: the board's switch and the host's stop end the f
   ForceEngine engine(program);
   ForceCommand command;
   const auto exchange = [&] {
+    firmware::counts = firmware::counts ^ 1;  // a finger trembles
     command = engine.step(answered(*device, command));
     firmware::run(1000);
   };
@@ -572,6 +575,44 @@ TEST_CASE("serial force device: the board's switch and the host's stop end the f
   CHECK(firmware::force_uN == 5000000);
   firmware::run(51000);  // a host that died
   CHECK(firmware::force_uN == 0);
+}
+
+TEST_CASE("serial force device: a dead encoder under an uploaded table is a halt by that name until armed") {
+  firmware::setup();
+  FakeDevice board([](const std::string& line) { return firmware::exchange(line); });
+  const ForceProgram program = benchProgram(longSpring(), 5);
+  auto device = opened(board, slow_s, program.limits);
+  firmware::counts = 1500;
+  REQUIRE(takesTable(*device, program));
+  ForceProgram watching = program;
+  watching.limits.deadCountAbove_N = std::numeric_limits<double>::infinity();  // as for every upload
+  ForceEngine engine(watching);
+  ForceCommand command;
+  bool trembles = true;
+  const auto exchange = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      if (trembles) firmware::counts = firmware::counts ^ 1;
+      command = engine.step(answered(*device, command));
+      firmware::run(1000);
+    }
+  };
+  exchange(300);
+  REQUIRE(firmware::force_uN == 5000000);
+  CHECK(engine.halt() == ForceHalt::none);
+  trembles = false;
+  exchange(315);
+  CHECK(firmware::force_uN == 0);
+  exchange(110);
+  CHECK(engine.halt() == ForceHalt::deadCount);
+  trembles = true;
+  exchange(50);
+  CHECK(firmware::force_uN == 0);
+  CHECK(engine.halt() == ForceHalt::deadCount);
+  device->rearm();
+  engine.rearm();
+  exchange(300);
+  CHECK(firmware::force_uN == 5000000);
+  CHECK(engine.halt() == ForceHalt::none);
 }
 
 TEST_CASE("serial force device: a table longer than the firmware takes is thinned to what it holds") {

@@ -32,7 +32,7 @@ from plant import Finger, Link
 from session import Scene, play
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, PAUSE_S, ATTEMPTS = 3.0, 4.0, 3.0, 0.006, 0.003, 3
+LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, PAUSE_S, ATTEMPTS, RISE_S = 3.0, 4.0, 3.0, 0.006, 0.003, 3, 0.2
 FAULT_S, END_S = 1.2, 1.75
 LINKS = ("serial", "ODrive", "upload")
 SAMPLES = [str(ROOT / f"samples/buttons/{name}.button.json") for name in ("A", "B", "C", "D", "E", "F", "EF", "push")]
@@ -141,17 +141,26 @@ def until_none_s(moments):
     return math.inf if last_s > moments[-1][0] - 0.03 else last_s - FAULT_S
 
 
+def above_ramp_N(moments, goes_on_s):
+    """By how much a force after a pause is above the ramp from nothing to the limit."""
+    return max((abs(n) - LIMIT_N * (t - goes_on_s) / RISE_S for t, n, _ in moments if t >= goes_on_s), default=0.0)
+
+
 def judge(program, fault, link, number):
     found = Found(fault.name, link, number)
     for attempt in range(ATTEMPTS):
         outcome = play(program, scene_of(fault, link, BUTTONS[number]), ODrive() if link == "ODrive" else SerialBoard())
         said, bar_s = outcome.said.lower(), fault.bar_s(link)
         found.largest_N, found.there = outcome.largest_N(), outcome.largest_N(FAULT_S - 0.2, FAULT_S - 0.005) > 0.15
-        found.none_s = until_none_s(outcome.moments) if found.there and bar_s else 0.0
+        # A program that goes on gives force again: from nothing, along the ramp.
+        goes_on_s = FAULT_S + fault.change["stall_s"] if "stall_s" in fault.change else math.inf
+        found.none_s = until_none_s([m for m in outcome.moments if m[0] < goes_on_s]) if found.there and bar_s else 0.0
         found.outside_mm = outcome.outside_mm(TRAVEL_MM, FAULT_S)
         found.wrong = [f"{found.largest_N:.3f} N"] if found.largest_N > LIMIT_N + 0.001 else []
         if bar_s and found.none_s > bar_s + SLACK_S:
             found.wrong.append(f"no force after {1000 * found.none_s:.0f} ms")
+        if above_ramp_N(outcome.moments, goes_on_s) > 0.1:
+            found.wrong.append(f"{above_ramp_N(outcome.moments, goes_on_s):.2f} N above the ramp")
         if found.outside_mm > OUTSIDE_MM:
             found.wrong.append(f"{found.outside_mm:.1f} mm outside")
         if found.there and bar_s and fault.says and not any(word in said for word in fault.says):
