@@ -117,7 +117,7 @@ QWidget* AxisBox::directionRow() {
   direction_ = new QWidget;
   auto* row = new QHBoxLayout(direction_);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(new QLabel(isX ? tr("Displacement increases:") : tr("Force increases:")));
+  row->addWidget(new QLabel(isX ? tr("Displacement grows:") : tr("Force grows:")));
   rises_ = new QToolButton, falls_ = new QToolButton;
   rises_->setText(isX ? tr("to the right") : tr("upwards"));
   falls_->setText(isX ? tr("to the left") : tr("downwards"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/batch_dialog.h"
 
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -27,10 +29,10 @@ QString inShort(const BatchResult& result) {
 
 }  // namespace
 
-BatchDialog::BatchDialog(const ViewSettings& view, BatchPlaces places, QWidget* parent)
+BatchDialog::BatchDialog(const ViewSettings& view, BatchActions actions, QWidget* parent)
     : QDialog(parent),
       view_(view),
-      at_(std::move(places)),
+      at_(std::move(actions)),
       list_(described(new QTreeWidget, "batchList", {}, tr("Results of the batch"))),
       progress_(described(new QProgressBar, "batchProgress", {}, tr("Files finished"))),
       summary_(wrappingLabel("batchSummary")) {

@@ -14,8 +14,8 @@
 
 namespace detent::editor {
 
-/// Answers of a person, and the way of results into the window.
-struct BatchPlaces {
+/// Questions to the user, and actions of the main window.
+struct BatchActions {
   std::function<QStringList(QWidget* parent)> files;
   std::function<QString(QWidget*parent)> folder, folderToSave;      ///< empty: cancelled
   std::function<void(const QString& path, GraphId graph)> correct;  ///< in the import dialogue
@@ -28,7 +28,7 @@ class BatchDialog : public QDialog {
 
  public:
   /// `view` must outlive it.
-  BatchDialog(const ViewSettings& view, BatchPlaces places, QWidget* parent = nullptr);
+  BatchDialog(const ViewSettings& view, BatchActions actions, QWidget* parent = nullptr);
 
   /// Imports these in place of what is listed.
   void start(const QStringList& paths);
@@ -51,7 +51,7 @@ class BatchDialog : public QDialog {
   void ended();
 
   const ViewSettings& view_;
-  BatchPlaces at_;
+  BatchActions at_;
   BatchImport batch_;
   std::vector<Row> rows_;  ///< by the number that an item carries
   QStringList paths_;

@@ -58,7 +58,7 @@ BatchImport::BatchImport(QObject* parent) : QObject(parent) {
 }
 
 BatchImport::~BatchImport() {
-  left_ = 0;  // nobody is told any more
+  left_ = 0;  // emits nothing any more
   cancel();
   workers_.waitForDone();
 }

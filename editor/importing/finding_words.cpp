@@ -58,20 +58,21 @@ QString instruction(RemedyKind kind) {
   return text ? tr(text->instruction) : QString();
 }
 
-/// What the importer's questions ask, and choices that are words.
-[[maybe_unused]] constexpr const char* asked[] = {words("which of the switches"),
-                                                  words("which of the records"),
-                                                  words("the unit of force"),
-                                                  words("the unit of displacement"),
-                                                  words("which curve is the press"),
-                                                  words("what the columns measure"),
-                                                  words("which columns are displacement and force"),
-                                                  words("which column is the force"),
-                                                  words("which column is the displacement"),
-                                                  words("whether a second column of force is the release"),
-                                                  words("their mean"),
-                                                  words("it is the release"),
-                                                  words("it is another record")};
+/// Questions of the importer, and choices that are words.
+[[maybe_unused]] constexpr const char* questionWords[] = {
+    words("which of the switches"),
+    words("which of the records"),
+    words("the unit of force"),
+    words("the unit of displacement"),
+    words("which curve is the press"),
+    words("what the columns measure"),
+    words("which columns are displacement and force"),
+    words("which column is the force"),
+    words("which column is the displacement"),
+    words("whether a second column of force is the release"),
+    words("their mean"),
+    words("it is the release"),
+    words("it is another record")};
 
 QString joined(const std::vector<RemedyKind>& corrections) {
   QStringList parts;

@@ -2250,8 +2250,8 @@ Lizenz: %3</translation>
         <translation>%1 – am schnellsten, Fehler %2 % der Achse</translation>
     </message>
     <message>
-        <source>%1 – %2 × the computing time of a draft, error %3 % of the axis</source>
-        <translation>%1 – %2 × die Rechenzeit eines Entwurfs, Fehler %3 % der Achse</translation>
+        <source>%1 – %2 × the time of a draft, error %3 % of the axis</source>
+        <translation>%1 – %2 × Entwurfszeit, Fehler %3 % der Achse</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -3307,11 +3307,11 @@ Lizenz: %3</translation>
         <translation>Unten und oben steht derselbe Wert. Geben Sie den Wert ein, der an jedem Ende gedruckt ist.</translation>
     </message>
     <message>
-        <source>Displacement increases:</source>
+        <source>Displacement grows:</source>
         <translation>Der Weg nimmt zu:</translation>
     </message>
     <message>
-        <source>Force increases:</source>
+        <source>Force grows:</source>
         <translation>Die Kraft nimmt zu:</translation>
     </message>
     <message>

@@ -87,22 +87,22 @@ void FileController::importByDialog() {
 
 void FileController::importMany() {
   if (!batch_) {
-    BatchPlaces context;
-    context.files = [this](QWidget* parent) {
+    BatchActions actions;
+    actions.files = [this](QWidget* parent) {
       const QStringList chosen =
           at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folder(), importFilters());
       if (!chosen.isEmpty()) at_.rememberFolder(chosen.front());
       return chosen;
     };
-    context.folder = [this](QWidget* parent) {
+    actions.folder = [this](QWidget* parent) {
       return at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
     };
-    context.folderToSave = [this](QWidget* parent) {
+    actions.folderToSave = [this](QWidget* parent) {
       return at_.prompts.folder(parent, tr("Save the buttons in"), at_.folder());
     };
-    context.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
-    context.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
-    batch_ = new BatchDialog(at_.view, std::move(context), &at_.window);
+    actions.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
+    actions.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
+    batch_ = new BatchDialog(at_.view, std::move(actions), &at_.window);
   }
   bringUp(*batch_);
 }

@@ -31,18 +31,18 @@ QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/sam
 /// The dialogue with answers given beforehand.
 struct BatchRig {
   explicit BatchRig(const QString& folder) {
-    BatchPlaces places;
-    places.files = [this](QWidget*) { return files; };
-    places.folder = [this](QWidget*) { return from; };
-    places.folderToSave = [this](QWidget*) { return saveIn; };
-    places.correct = [this](const QString& path, GraphId graph) {
+    BatchActions actions;
+    actions.files = [this](QWidget*) { return files; };
+    actions.folder = [this](QWidget*) { return from; };
+    actions.folderToSave = [this](QWidget*) { return saveIn; };
+    actions.correct = [this](const QString& path, GraphId graph) {
       corrected << path, graphs.push_back(graph);
     };
-    places.open = [this](const QString& path, const Button& button) {
+    actions.open = [this](const QString& path, const Button& button) {
       opened << path, buttons.push_back(button);
     };
     saveIn = folder;
-    dialog = std::make_unique<BatchDialog>(view, std::move(places));
+    dialog = std::make_unique<BatchDialog>(view, std::move(actions));
     dialog->show();
     list = dialog->findChild<QTreeWidget*>("batchList");
   }

@@ -172,7 +172,7 @@ class LibraryTest : public QObject {
     }
     const DifferenceRow* travel = rowNamed(rows, "Total travel");
     QVERIFY(travel && *travel->values[0] == *travel->values[1]);
-    const DifferenceRow* force = rowNamed(rows, "Press: tactile point, force");
+    const DifferenceRow* force = rowNamed(rows, "Press: peak force");
     QVERIFY(force);
     QCOMPARE(*force->values[1], 2 * *force->values[0]);
     const DisplayUnits units;
@@ -187,7 +187,7 @@ class LibraryTest : public QObject {
   void whatOneHasAndTheOtherNotIsADash() {
     const Button linear = *linearButton(), twoLevel = *twoLevelButton();
     const auto rows = differencesOf({&linear.states()[0], &twoLevel.states()[0]});
-    const DifferenceRow* second = rowNamed(rows, "Press: tactile point 2, force");
+    const DifferenceRow* second = rowNamed(rows, "Press 2: peak force");
     QVERIFY(second && !second->values[0] && second->values[1]);
     QCOMPARE(shownDifference(*second, 1, {}), QString("\u2013"));
   }

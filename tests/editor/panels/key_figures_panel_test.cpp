@@ -90,7 +90,7 @@ void KeyFiguresPanelTest::namesStayBesideWhatIsKept() {
   panel.show();
   auto* table = panel.findChild<QTableView*>();
   const QHeaderView& names = *table->verticalHeader();
-  panel.resize(240, 400);
+  panel.resize(200, 400);
   QTRY_VERIFY(names.isVisible() && table->isColumnHidden(KeyFiguresModel::figure));
   QVERIFY(table->horizontalScrollBar()->maximum() > 0);
   table->horizontalScrollBar()->setValue(table->horizontalScrollBar()->maximum());

@@ -234,7 +234,7 @@ class StudyTest : public QObject {
     QVERIFY(again.findChild<QLabel*>("makerTrouble")->text().contains("clicks"));
   }
 
-  // What is heard beside the vibration, as detent-play study new takes it.
+  // The sound of a press, with the options of detent-play study new.
   void aStudyHasTheSoundThatWasChosen() {
     Rig rig;
     const QString recording = rig.folder.filePath("click.wav");

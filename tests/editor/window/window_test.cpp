@@ -698,7 +698,7 @@ class WindowTest : public QObject {
     share->setValue(0);
     QVERIFY(dialog->between()->states() == rig.document().button().states());
     share->setValue(25);
-    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel*>("morphForecastTo")->text().startsWith("Against B"),
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel*>("morphForecastTo")->text().startsWith("Compared with B"),
                              20'000);
     dialog->findChild<QPushButton*>("morphCreate")->click();
     QCOMPARE(rig.window->tabs().all().size(), std::size_t(3));
@@ -1022,7 +1022,7 @@ class WindowTest : public QObject {
     QVERIFY(!rig.document().origin());
     rig.prompts.openAnswers.push_back({sheet});
     rig.press("findSheet");
-    QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("not the sheet"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("not the datasheet"), 60000);
     rig.prompts.openAnswers.push_back({at("elsewhere/renamed.pdf")});
     rig.press("findSheet");
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
