@@ -9,7 +9,7 @@
 //   study/trials/study_plan.h          power, a page to preregister, lists of trials (planned_places.h)
 //   study/trials/trial_plan.h          the list of one participant
 //   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
-//   study/trials/trial_desk.h          one running trial; timing_desk.h: one with timed presses
+//   study/trials/trial_controller.h          one running trial; timing_controller.h: one with timed presses
 //   study/trials/participant_session.h one participant at work
 //   study/trials/figure_table.h        a table for every format; answer_tables.h: thresholds and ratings,
 //                                      timing_tables.h: timed presses
@@ -32,8 +32,8 @@
 #include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
-#include "playback/study/trials/timing_desk.h"
-#include "playback/study/trials/trial_desk.h"
+#include "playback/study/trials/timing_controller.h"
+#include "playback/study/trials/trial_controller.h"
 
 namespace detent::playback {
 

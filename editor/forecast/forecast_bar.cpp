@@ -46,7 +46,7 @@ void ForecastBar::setPair(ButtonDocument* changed, ButtonDocument* other) {
 }
 
 void ForecastBar::say(const Forecast& forecast) {
-  confused_ = !forecast.pairs.empty() && !forecast.pairs.front().toldApart();
+  confused_ = !forecast.pairs.empty() && !forecast.pairs.front().distinguished();
   words_->setText(forecast.pairs.empty() ? forecast.trouble : forecastWords(forecast.pairs.front()));
   help_->setEnabled(confused_ && !searching_);
 }

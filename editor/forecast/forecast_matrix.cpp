@@ -133,7 +133,7 @@ QTableWidgetItem* ForecastMatrix::cellOf(const playback::PredictedPair& pair) co
   tint.setAlphaF(strongestTint * static_cast<float>(std::min(pair.errorsPer90() / mostErrors, 1.0)));
   item->setBackground(tint);
   QFont font = table_->font();
-  font.setBold(!pair.toldApart());
+  font.setBold(!pair.distinguished());
   item->setFont(font);
   item->setToolTip(forecastWords(pair));
   return item;

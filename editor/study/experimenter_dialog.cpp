@@ -310,7 +310,7 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
   work.start.listening = listening();
   work.start.noiseLevel = work.player->sounding() ? settings.player.masking.level : 0;
   work.start.device = work.player->device();
-  work.start.utc_s = playback::wallClock_s();
+  work.start.utc_s = playback::systemClock_s();
   work.start.route = work.player->route();
   if (work.start.route.timing && !work.sensor) work.start.route.timing->press = TimedTrials::pressRoute();
   const Result<playback::ParticipantRecord> record =
@@ -408,7 +408,7 @@ Result<Done> ExperimenterDialog::simulate(const playback::Study& study) {
   const std::string id = participant_->text().trimmed().toStdString();
   Result<playback::ParticipantSession> session = playback::ParticipantSession::open(
       study, id,
-      {playback::SessionKind::simulated, listening(), "", simulation->name, playback::wallClock_s()});
+      {playback::SessionKind::simulated, listening(), "", simulation->name, playback::systemClock_s()});
   if (!session) return session.failure();
   if (session->trial() == nullptr) return tellDone(id);
   QProgressDialog progress(tr("The program answers…"), tr("Stop"), 0,

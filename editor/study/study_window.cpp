@@ -272,7 +272,7 @@ void StudyWindow::show(KeyedPage* page, At at) {
 }
 
 Result<Done> StudyWindow::openSession() {
-  work_.start.utc_s = playback::wallClock_s();
+  work_.start.utc_s = playback::systemClock_s();
   if (work_.consent)
     work_.start.consent = {work_.consent->language, work_.consent->sha256, work_.start.utc_s};
   Result<playback::ParticipantSession> session =
@@ -293,7 +293,7 @@ void StudyWindow::agree() {
 
 void StudyWindow::decline() {
   const playback::ConsentDecision decision{work_.consent->language, work_.consent->sha256,
-                                           playback::wallClock_s()};
+                                           playback::systemClock_s()};
   if (const Result<Done> kept = playback::recordDeclined(work_.study->folder, decision); !kept)
     return consentTrouble_->setText(sentenceOf(kept.failure()));
   showEnd(words("Thank you for coming. Nothing about you was saved."));
@@ -353,7 +353,7 @@ void StudyWindow::showTrial() {
   }
   controller_.emplace(*work_.study, *trial, 0, now_s());
   work_.player->beginTrial();
-  work_.player->troubleSinceAsked();
+  work_.player->takeTrouble();
   trial_->mark({});
   trial_->clearNumber();
   if (controller_->physicalTarget())
@@ -442,7 +442,7 @@ void StudyWindow::watchDevice() {
   }
   controller_->felt(work_.player->takeFelt());
   if (!away_ && controller_->mayAnswer() != trial_->answersAllowed()) refresh();
-  const playback::StudyTrouble trouble = work_.player->troubleSinceAsked();
+  const playback::StudyTrouble trouble = work_.player->takeTrouble();
   if ((trouble != playback::StudyTrouble::none) == away_) return;
   away_ = !away_;
   if (!away_) {

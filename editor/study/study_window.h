@@ -102,7 +102,7 @@ class StudyWindow : public QWidget {
 
   StudyWork work_;
   ParticipantLanguage language_;
-  std::optional<playback::TrialDesk> controller_;
+  std::optional<playback::TrialController> controller_;
   QStackedWidget* pages_ = nullptr;
   KeyedPage *consent_ = nullptr, *said_ = nullptr, *paused_ = nullptr, *stop_ = nullptr, *end_ = nullptr;
   QuestionPage* question_ = nullptr;  ///< trial_ or timing_

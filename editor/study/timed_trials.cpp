@@ -97,13 +97,13 @@ void TimedTrials::press() {
 void TimedTrials::poll() {
   looked_s_ = player_.clock_s();
   if (away_) {
-    if (player_.troubleSinceAsked() != playback::StudyTrouble::none) return;
+    if (player_.takeTrouble() != playback::StudyTrouble::none) return;
     leave();
     return emit back();
   }
   if (!run_) return;
   draw();
-  const Result<playback::TimedOutcome> outcome = run_->look();
+  const Result<playback::TimedOutcome> outcome = run_->update();
   if (!outcome) {
     leave();
     return emit failed(sentenceOf(outcome.failure()));
@@ -112,7 +112,7 @@ void TimedTrials::poll() {
 }
 
 void TimedTrials::draw() {
-  const playback::TimingDesk& controller = run_->desk();
+  const playback::TimingController& controller = run_->controller();
   const double now_s = player_.clock_s();
   TimingView view;
   view.task = study_.design.task;

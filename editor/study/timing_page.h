@@ -19,7 +19,8 @@ struct TimingView {
   playback::TimingTask task = playback::TimingTask::cue;
   std::size_t beats = 0, beatsCome = 0;  ///< cue
   double way = 0,
-         windowShare = 0;  ///< window: TimingDesk::wayAt, and how long the window is beside the way to it
+         windowShare =
+             0;  ///< window: TimingController::wayAt, and how long the window is beside the way to it
   double left_s = 0, run_s = 1;  ///< tapping
 
   bool operator==(const TimingView&) const = default;

@@ -209,7 +209,7 @@ class Player final : public StudyPlayer {
             static_cast<float>(toneLevel * (1 - t_s / tone_s) * std::sin(twoPi * tone_Hz * t_s));
       }
     }
-    (void)player_->playSamples(samples, rate_Hz);  // troubleSinceAsked reports a lost device
+    (void)player_->playSamples(samples, rate_Hz);  // takeTrouble reports a lost device
   }
 
   Felt takeFelt() override {
@@ -222,7 +222,7 @@ class Player final : public StudyPlayer {
             count.peak_N, count.travel_mm};
   }
 
-  StudyTrouble troubleSinceAsked() override {
+  StudyTrouble takeTrouble() override {
     const PlayerStatus status = player_->status();
     const bool lost = status.deviceLosses > losses_ || status.deviceLost;
     losses_ = status.deviceLosses;

@@ -53,7 +53,7 @@ class StudyPlayer {
   /// Resets every stimulus to its initial state: a self-locking button is unlocked, X as well as the choice
   /// that is the same button.
   virtual void beginTrial() = 0;
-  /// Puts a button under the finger as the trial's stimulus `slot` (TrialDesk), which keeps its own lock.
+  /// Puts a button under the finger as the trial's stimulus `slot` (TrialController), which keeps its own lock.
   virtual void place(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
   /// The same; without a sensor the button is also pressed once, as by a hand.
   virtual void press(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
@@ -70,7 +70,7 @@ class StudyPlayer {
   /// plus the delay of the device. Silent in a rehearsal.
   virtual void soundBeats(const std::vector<double>& delays_s) = 0;
   /// Trouble since the last call, or present trouble.
-  virtual StudyTrouble troubleSinceAsked() = 0;
+  virtual StudyTrouble takeTrouble() = 0;
   /// Force device: removes the force within 15 ms, until rearm(). Does nothing without one.
   virtual void stopForce() = 0;
   /// A person wants force again.

@@ -27,7 +27,7 @@ TimedRun::TimedRun(const Study& study, ParticipantSession& session, StudyPlayer&
       controller_(study, trial_, began_s, shown_s_) {
   player_.beginTrial();
   player_.place(0, trial_.choices[0], trial_.mode);
-  player_.troubleSinceAsked();
+  player_.takeTrouble();
   sound();
 }
 
@@ -47,9 +47,9 @@ void TimedRun::pressed(double at_s, double within_s) {
   player_.press(0, trial_.choices[0], trial_.mode);
 }
 
-Result<TimedOutcome> TimedRun::look() {
+Result<TimedOutcome> TimedRun::update() {
   TimedOutcome outcome;
-  outcome.trouble = player_.troubleSinceAsked();
+  outcome.trouble = player_.takeTrouble();
   if (outcome.trouble != StudyTrouble::none) {
     outcome.state = TimedState::lost;
     return again(nameOf(outcome.trouble), outcome);

@@ -7,7 +7,7 @@
 
 #include "playback/study/study_player.h"
 #include "playback/study/trials/participant_session.h"
-#include "playback/study/trials/timing_desk.h"
+#include "playback/study/trials/timing_controller.h"
 
 namespace detent::playback {
 
@@ -37,14 +37,14 @@ class TimedRun {
   TimedRun& operator=(const TimedRun&) = delete;
 
   const Trial& trial() const { return trial_; }
-  const TimingDesk& desk() const { return controller_; }
+  const TimingController& controller() const { return controller_; }
 
   /// A key or a pad went down: presses, unless a sensor does, or it was before the trial. See
-  /// TimingDesk::pressed.
+  /// TimingController::pressed.
   void pressed(double at_s, double within_s);
   /// Takes the finger's movements. Call it about every 10 ms until the trial is no longer running. Failure:
   /// of the journal.
-  Result<TimedOutcome> look();
+  Result<TimedOutcome> update();
 
  private:
   void sound();
@@ -56,7 +56,7 @@ class TimedRun {
   StudyPlayer& player_;
   const Trial trial_;  // a copy, because the session moves on to the next trial
   const double shown_s_;
-  TimingDesk controller_;
+  TimingController controller_;
   std::optional<double> over_s_;
 };
 

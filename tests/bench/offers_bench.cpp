@@ -29,7 +29,7 @@ Result<Button> changedBy(const Button& button, Lever lever, double factor) {
 
 bool apart(const Button& a, const FeltButton& b) {
   const Result<FeltButton> felt = feel(a, settings.perception);
-  return felt && predictConfusion(*felt, b, settings.confusion).toldApart();
+  return felt && predictConfusion(*felt, b, settings.confusion).distinguished();
 }
 
 /// The first whole per cent on the way from 100 that makes the two distinguishable.
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < buttons.size(); ++i)
     for (std::size_t k = 0; k < buttons.size(); ++k)
-      if (i != k && !predictConfusion(felt[i], felt[k], settings.confusion).toldApart())
+      if (i != k && !predictConfusion(felt[i], felt[k], settings.confusion).distinguished())
         pairs.emplace_back(i, k);
   StudyRandom random = randomSeededBy("pairs");
   shuffle(pairs, random);

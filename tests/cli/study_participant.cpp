@@ -57,7 +57,7 @@ class Participant {
   }
 
  private:
-  StudyTrouble trouble() { return player_.troubleSinceAsked(); }
+  StudyTrouble trouble() { return player_.takeTrouble(); }
 
   /// Keys that go to the device. False: the participant leaves.
   bool obeyed(char typed) {
@@ -80,7 +80,7 @@ class Participant {
       const std::optional<char> typed = key(timedPoll_s);
       if (typed && !obeyed(*typed)) return false;
       if (typed == ' ') run.pressed(player_.clock_s(), timedPoll_s);
-      const Result<TimedOutcome> outcome = run.look();
+      const Result<TimedOutcome> outcome = run.update();
       if (!outcome) return outcome.failure();
       if (outcome->state == TimedState::kept) say("answered");
       if (outcome->state == TimedState::lost) return deviceBack(outcome->trouble);
@@ -89,7 +89,7 @@ class Participant {
   }
 
   Result<bool> answered() {
-    TrialDesk work(study_, *session_.trial(), began_s_, player_.clock_s());
+    TrialController work(study_, *session_.trial(), began_s_, player_.clock_s());
     player_.beginTrial();
     trouble();
     for (;;) {
@@ -151,7 +151,7 @@ int main(int count, char** words) {
   start.kind = (*player)->sounding() ? SessionKind::real : SessionKind::rehearsal;
   start.device = (*player)->device();
   start.route = (*player)->route();
-  start.utc_s = wallClock_s();
+  start.utc_s = systemClock_s();
   Result<ParticipantSession> session = ParticipantSession::open(*study, words[2], start);
   if (!session) return failed(session.failure());
   const Result<Done> done = Participant(*study, *session, **player).work();

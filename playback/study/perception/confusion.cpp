@@ -288,8 +288,8 @@ Cue StrokeDifference::cue() const {
 }
 
 Verdict PredictedPair::verdict() const {
-  if (probabilityApart >= surely) return Verdict::toldApart;
-  return probabilityApart <= 1 - surely ? Verdict::notToldApart : Verdict::undecided;
+  if (probabilityApart >= surely) return Verdict::distinguished;
+  return probabilityApart <= 1 - surely ? Verdict::notDistinguished : Verdict::undecided;
 }
 
 void foretellErrors(PredictedPair& pair, const ConfusionSettings& settings) {

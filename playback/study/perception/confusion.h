@@ -45,7 +45,7 @@ struct ConfusionSettings {
 
 /// Answer to "do people tell these apart?" (at most one error in ten, as in K&L's test): yes from a
 /// probability of 0.9 on, no up to 0.1.
-enum class Verdict : std::uint8_t { toldApart, notToldApart, undecided };
+enum class Verdict : std::uint8_t { distinguished, notDistinguished, undecided };
 
 /// One forecast. "Errors" are those of an ABX test with mixed pairs; all follow from dPrime.
 struct PredictedPair {
@@ -62,7 +62,7 @@ struct PredictedPair {
   double leastErrorsPer90() const { return 90 * leastShareOfErrors; }
   double mostErrorsPer90() const { return 90 * mostShareOfErrors; }
   Verdict verdict() const;
-  bool toldApart() const { return verdict() == Verdict::toldApart; }
+  bool distinguished() const { return verdict() == Verdict::distinguished; }
 };
 
 /// Sets the errors of a pair that follow from its dPrime.

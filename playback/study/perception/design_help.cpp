@@ -39,7 +39,7 @@ class DesignSearch {
       const int percent = static_cast<int>(std::lround(100 * std::pow(farthest, double(i) / strides)));
       std::optional<Suggestion> found = attempt(lever, percent);
       if (!found) return {};
-      if (found->forecast.toldApart()) return firstBetween(lever, beforeThat, percent, *std::move(found));
+      if (found->forecast.distinguished()) return firstBetween(lever, beforeThat, percent, *std::move(found));
       beforeThat = std::exchange(below, percent);
     }
     return {};
@@ -63,7 +63,7 @@ class DesignSearch {
     for (int percent = from + direction; percent != to; percent += direction) {
       std::optional<Suggestion> tried = attempt(lever, percent);
       if (!tried) break;
-      if (tried->forecast.toldApart()) return *std::move(tried);
+      if (tried->forecast.distinguished()) return *std::move(tried);
     }
     return found;
   }
@@ -84,7 +84,7 @@ Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const 
   Result<FeltButton> felt = feel(other, settings.perception, cancelled);
   if (!felt) return felt.failure();
   std::vector<Suggestion> suggestions;
-  if (predictConfusion(*itself, *felt, settings.confusion).toldApart()) return suggestions;
+  if (predictConfusion(*itself, *felt, settings.confusion).distinguished()) return suggestions;
   const DesignSearch search(button, *felt, settings, cancelled);
   for (const Lever lever : {Lever::snap, Lever::travel, Lever::force})
     for (const double farthest : {settings.largestFactor, 1 / settings.largestFactor})

@@ -35,9 +35,9 @@ Message errorsOf(const PredictedPair& pair) {
 
 Message verdictOf(const PredictedPair& pair) {
   switch (pair.verdict()) {
-    case Verdict::toldApart:
+    case Verdict::distinguished:
       return Message("people tell these apart: %1", errorsOf(pair));
-    case Verdict::notToldApart:
+    case Verdict::notDistinguished:
       return Message("people do not tell these apart: %1", errorsOf(pair));
     case Verdict::undecided:
       break;
@@ -50,9 +50,9 @@ Message verdictOf(const PredictedPair& pair) {
 
 Message shortVerdictOf(const PredictedPair& pair) {
   switch (pair.verdict()) {
-    case Verdict::toldApart:
+    case Verdict::distinguished:
       return Message("told apart: %1", errorsOf(pair));
-    case Verdict::notToldApart:
+    case Verdict::notDistinguished:
       return Message("not told apart: %1", errorsOf(pair));
     case Verdict::undecided:
       break;

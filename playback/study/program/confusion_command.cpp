@@ -50,8 +50,8 @@ Result<PerceptionSettings> perceptionOf(const ConfusionArguments& a) {
 }
 
 const char* confusionWord(Verdict verdict) {
-  if (verdict == Verdict::toldApart) return "told apart";
-  return verdict == Verdict::notToldApart ? "not told apart" : "undecided";
+  if (verdict == Verdict::distinguished) return "told apart";
+  return verdict == Verdict::notDistinguished ? "not told apart" : "undecided";
 }
 
 Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pair, const PairRank& rank) {
@@ -133,7 +133,7 @@ int runConfusion(const ConfusionArguments& a, const Cancelled& cancelled) {
     for (std::size_t first = 0; first < second; ++first, ++at) {
       list.push_back(jsonOf(felt[first].name, felt[second].name, pairs[at], ranks[at]));
       sayConfusion(felt[first].name, felt[second].name, pairs[at]);
-      if (!a.suggest || pairs[at].toldApart()) continue;
+      if (!a.suggest || pairs[at].distinguished()) continue;
       if (const int code = suggest((*buttons)[second], (*buttons)[first], *settings, cancelled); code != 0)
         return code;
     }

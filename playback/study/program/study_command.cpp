@@ -197,7 +197,7 @@ int runRun(const RunArguments& a, const Cancelled& cancelled) {
   if (!simulation) return fail(simulation.failure());
   if (Result<Done> ok = checkSimulation(*study, *simulation); !ok) return fail(ok.failure());
   const SessionStart start{SessionKind::simulated, listeningOf(*study, a.participant, a.condition), "",
-                           a.simulation, wallClock_s()};
+                           a.simulation, systemClock_s()};
   Result<ParticipantSession> session = ParticipantSession::open(*study, a.participant, start);
   if (!session) return fail(session.failure());
   for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());

@@ -129,7 +129,7 @@
 
   let session_s = 0, current = null, running = 0, held = null, busy = false, rested = 0;
 
-  // One trial as it is worked on: TrialDesk of the other stations.
+  // One trial as it is worked on: TrialController of the other stations.
   function begin(trial) {
     const slot = () => ({ tries: 0, presses: 0, whole: 0, peak_N: 0, travel_mm: 0 });
     current = { trial, slots: Array.from({ length: trial.choices.length + 1 }, slot), shown_s: now_s(), firstPress_s: -1 };

@@ -12,7 +12,7 @@
 #include "playback/study/statistics/quest_plus.h"
 #include "playback/study/statistics/shuffle.h"
 #include "playback/study/trials/planned_places.h"
-#include "playback/study/trials/timing_desk.h"
+#include "playback/study/trials/timing_controller.h"
 
 namespace detent::playback {
 
@@ -175,7 +175,7 @@ Result<Done> ParticipantSession::end(const std::string& reason) {
   return Done{};
 }
 
-double wallClock_s() {
+double systemClock_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
@@ -265,7 +265,7 @@ Answer simulatedTiming(const Study& study, const Trial& trial, const Simulation&
                        StudyRandom& random) {
   constexpr double step_s = 0.01, longestTrial_s = 200;
   const double shown_s = static_cast<double>(trial.number - 1) * (quickest_s + slowest_s) / 2;
-  TimingDesk controller(study, trial, 0, shown_s);
+  TimingController controller(study, trial, 0, shown_s);
   const double zero_s =
       study.design.task == TimingTask::tapping ? shown_s + quickest_s / 4 : controller.cue_s();
   std::vector<double> presses;

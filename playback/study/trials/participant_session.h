@@ -51,7 +51,7 @@ class ParticipantSession {
 };
 
 /// Present time of the system clock, seconds since 1970: for SessionStart and ConsentDecision.
-double wallClock_s();
+double systemClock_s();
 
 /// The participant's listening: as requested, else as in their journal, else quiet.
 Listening listeningOf(const Study& study, const std::string& participant,

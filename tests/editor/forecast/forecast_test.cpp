@@ -155,7 +155,7 @@ class ForecastTest : public QObject {
     menu->close();
     QVERIFY(!(a.button() == first));
     QCOMPARE(a.history().stack().count(), 1);
-    QVERIFY(pairOf(a.button(), b.button()).toldApart());
+    QVERIFY(pairOf(a.button(), b.button()).distinguished());
     a.history().stack().undo();
     QVERIFY(a.button() == first);
   }

@@ -81,7 +81,7 @@ class FakePlayer : public playback::StudyPlayer {
     done_ = {1, finger_->lets_go_early ? 0U : 1U, 1.5, 3};
   }
   playback::Felt takeFelt() override { return std::exchange(done_, {}); }
-  playback::StudyTrouble troubleSinceAsked() override {
+  playback::StudyTrouble takeTrouble() override {
     if (finger_->stopped) return playback::StudyTrouble::forceStopped;
     return finger_->lost ? playback::StudyTrouble::soundLost : playback::StudyTrouble::none;
   }

@@ -175,7 +175,7 @@ TEST_CASE(
   const PredictedPair same = predictConfusion(b, b);
   CHECK(same.dPrime == 0);
   CHECK(same.errorsPer90() == Approx(45));
-  CHECK_FALSE(same.toldApart());
+  CHECK_FALSE(same.distinguished());
   const FeltButton c = felt(sample("C")), f = felt(sample("F"));
   CHECK(predictConfusion(b, c).dPrime == Approx(predictConfusion(c, b).dPrime));
   CHECK(predictConfusion(b, f).dPrime > predictConfusion(b, c).dPrime);
@@ -192,7 +192,7 @@ TEST_CASE("confusion: a force is felt as such: more of it is told apart, step by
     CHECK(pair.dPrime > before);
     CHECK(pair.cue == Cue::force);
     before = pair.dPrime;
-    if (factor == 3.0) CHECK(pair.toldApart());
+    if (factor == 3.0) CHECK(pair.distinguished());
   }
 }
 
@@ -240,8 +240,8 @@ TEST_CASE("confusion: errors, range, verdict and order follow from the d' that i
     CHECK(pair.shareOfErrors <= pair.mostShareOfErrors);
     CHECK(pair.shareOfErrors < before);
     before = pair.shareOfErrors;
-    CHECK((pair.verdict() == Verdict::toldApart) == (pair.probabilityApart >= 0.9));
-    CHECK((pair.verdict() == Verdict::notToldApart) == (pair.probabilityApart <= 0.1));
+    CHECK((pair.verdict() == Verdict::distinguished) == (pair.probabilityApart >= 0.9));
+    CHECK((pair.verdict() == Verdict::notDistinguished) == (pair.probabilityApart <= 0.1));
     CHECK((pair.probabilityApart >= 0.5) == (pair.shareOfErrors <= 0.1));
   }
   CHECK(before == Approx(settings.lapses / 2));
@@ -302,7 +302,7 @@ TEST_CASE("confusion: the order of pairs tells how likely each is more confused 
 TEST_CASE("confusion: no pair that most of K&L's noisy group told apart is said not to be") {
   std::vector<FeltButton> buttons;
   for (const char* name : {"A", "B", "C", "D", "E", "F"}) buttons.push_back(felt(sample(name), Feel::paper));
-  for (const PredictedPair& pair : predictAll(buttons)) CHECK(pair.verdict() != Verdict::notToldApart);
+  for (const PredictedPair& pair : predictAll(buttons)) CHECK(pair.verdict() != Verdict::notDistinguished);
 }
 
 TEST_CASE("confusion: of the noisy group's pairs most get a verdict, nine of ten given are right") {
@@ -315,7 +315,7 @@ TEST_CASE("confusion: of the noisy group's pairs most get a verdict, nine of ten
         noisyGroup[i] >= pairs[i].leastErrorsPer90() && noisyGroup[i] <= pairs[i].mostErrorsPer90() ? 1 : 0;
     if (pairs[i].verdict() == Verdict::undecided) continue;
     ++given;
-    right += (noisyGroup[i] <= 9) == pairs[i].toldApart() ? 1 : 0;
+    right += (noisyGroup[i] <= 9) == pairs[i].distinguished() ? 1 : 0;
   }
   CHECK(given >= 9);
   CHECK(10 * right >= 9 * given);
@@ -401,7 +401,7 @@ TEST_CASE("make distinguishable: every offer, applied by the factor that is told
   const std::vector<Button> buttons{sample("B"), sample("C"), sample("D"), sample("E")};
   for (const Button& button : buttons)
     for (const Button& other : buttons) {
-      const bool apart = predictConfusion(felt(button), felt(other)).toldApart();
+      const bool apart = predictConfusion(felt(button), felt(other)).distinguished();
       const Result<std::vector<Suggestion>> found = makeDistinguishable(button, other);
       REQUIRE(found);
       CHECK((!apart || found->empty()));
@@ -411,12 +411,12 @@ TEST_CASE("make distinguishable: every offer, applied by the factor that is told
         const Result<Button> changed =
             s.lever == Lever::travel ? scaleTravel(button, reported) : scaleForce(button, reported);
         REQUIRE(changed);
-        CHECK(predictConfusion(felt(*changed), felt(other)).toldApart());
+        CHECK(predictConfusion(felt(*changed), felt(other)).distinguished());
         const double less = reported + (reported > 1 ? -0.01 : 0.01);
         const Result<Button> nearly =
             s.lever == Lever::travel ? scaleTravel(button, less) : scaleForce(button, less);
         REQUIRE(nearly);
-        CHECK_FALSE(predictConfusion(felt(*nearly), felt(other)).toldApart());
+        CHECK_FALSE(predictConfusion(felt(*nearly), felt(other)).distinguished());
       }
     }
 }
@@ -429,7 +429,7 @@ TEST_CASE("make distinguishable: the change is within bounds, passes the bar, an
   REQUIRE_FALSE(found->empty());
   double before = 0;
   for (const Suggestion& s : *found) {
-    CHECK(s.forecast.toldApart());
+    CHECK(s.forecast.distinguished());
     CHECK(std::fabs(std::log(s.factor)) <= std::log(settings.largestFactor) + 1e-9);
     CHECK(std::fabs(std::log(s.factor)) >= before);
     before = std::fabs(std::log(s.factor));

@@ -10,7 +10,7 @@
 #include "playback/study/trials/answer_tables.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
-#include "playback/study/trials/trial_desk.h"
+#include "playback/study/trials/trial_controller.h"
 #include "tests/playback/study/trials/study_folder.h"
 
 using namespace detent;
@@ -186,7 +186,7 @@ TEST_CASE("a rating has to lie on its scale and to be felt") {
   const StudyFolder folder(ratings(RatingScale::preference), {"A"});
   Result<ParticipantSession> session = ParticipantSession::open(*folder.study, "P01", person);
   REQUIRE(session);
-  TrialDesk controller(*folder.study, *session->trial(), 0, 1);
+  TrialController controller(*folder.study, *session->trial(), 0, 1);
   CHECK_FALSE(controller.hasX());
   CHECK_FALSE(controller.mayAnswer());
   controller.tried(0, 2);

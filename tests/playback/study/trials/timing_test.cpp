@@ -9,7 +9,7 @@
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
 #include "playback/study/trials/study_plan.h"
-#include "playback/study/trials/timing_desk.h"
+#include "playback/study/trials/timing_controller.h"
 #include "playback/study/trials/timing_tables.h"
 #include "tests/playback/study/trials/study_folder.h"
 
@@ -68,7 +68,7 @@ TEST_CASE("intervals and windows come each as often, for every button") {
 TEST_CASE("a cue has four even beats, and the first press near the last of them counts") {
   const StudyFolder folder(timing(TimingTask::cue), {"A"});
   const Trial trial = oneTrial(0.6);
-  TimingDesk controller(*folder.study, trial, 100, 110);
+  TimingController controller(*folder.study, trial, 100, 110);
   REQUIRE(controller.beats_s().size() == 4);
   for (std::size_t i = 1; i < 4; ++i)
     CHECK(controller.beats_s()[i] - controller.beats_s()[i - 1] == Approx(0.6));
@@ -93,7 +93,7 @@ TEST_CASE("a cue has four even beats, and the first press near the last of them 
 TEST_CASE("a trial without a press that counts is none") {
   const StudyFolder folder(timing(TimingTask::window), {"A"});
   const Trial trial = oneTrial(0.8, 0.1);
-  TimingDesk controller(*folder.study, trial, 0, 0);
+  TimingController controller(*folder.study, trial, 0, 0);
   CHECK(controller.wayAt(controller.cue_s() - 0.8) == Approx(0));
   CHECK(controller.wayAt(controller.cue_s()) == Approx(1));
   controller.felt({1, 1, 1, 2});
@@ -108,7 +108,7 @@ TEST_CASE("tapping runs from the first press on, and a key that repeats is no ta
   const StudyFolder folder(design, {"A"});
   const Trial trial = oneTrial(0);
   for (const bool held : {false, true}) {
-    TimingDesk controller(*folder.study, trial, 0, 0);
+    TimingController controller(*folder.study, trial, 0, 0);
     CHECK_FALSE(controller.over(60));
     CHECK(controller.left_s(60) == 4);
     double at_s = 60;

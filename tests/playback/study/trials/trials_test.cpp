@@ -23,7 +23,7 @@
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
 #include "playback/study/trials/study_plan.h"
-#include "playback/study/trials/trial_desk.h"
+#include "playback/study/trials/trial_controller.h"
 #include "tests/playback/study/trials/study_folder.h"
 
 using namespace detent;
@@ -717,10 +717,10 @@ TEST_CASE("session: an early end keeps the columns; stopping is told") {
   CHECK(readParticipants(*made.study)->front().answers.size() == 2);
 }
 
-TEST_CASE("desk: nothing is answered unfelt; times and tries are counted") {
+TEST_CASE("trial controller: nothing is answered unfelt; times and tries are counted") {
   const StudyFolder made;
   const Trial trial = planTrials(*made.study, "P01").front();
-  TrialDesk controller(*made.study, trial, 100, 110);
+  TrialController controller(*made.study, trial, 100, 110);
   CHECK_FALSE(controller.mayAnswer());
   controller.felt({1, 1, 1, 1});  // nothing is under the finger yet
   controller.tried(0, 111);
@@ -966,7 +966,7 @@ std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor
   REQUIRE(session);
   for (int tries = 0; tries < 12 && session->trial() != nullptr; ++tries) {
     const Trial& trial = *session->trial();
-    TrialDesk controller(study, trial, 0, tries);
+    TrialController controller(study, trial, 0, tries);
     for (std::size_t slot = 0; slot <= controller.slotOfX(); ++slot) {
       const Result<PreparedProgram> prepared = programFor(study, controller.buttonIn(slot), trial.mode);
       const auto program = std::make_unique<HapticProgram>(prepared->program);

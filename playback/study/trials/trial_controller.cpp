@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/study/trials/trial_desk.h"
+#include "playback/study/trials/trial_controller.h"
 
 #include "model/check.h"
 
 namespace detent::playback {
 
-TrialDesk::TrialDesk(const Study& study, const Trial& trial, double began_s, double now_s)
+TrialController::TrialController(const Study& study, const Trial& trial, double began_s, double now_s)
     : study_(&study),
       trial_(&trial),
       physical_(study.design.targets == TargetKind::physicalButton),
@@ -15,25 +15,25 @@ TrialDesk::TrialDesk(const Study& study, const Trial& trial, double began_s, dou
       felt_(trial.choices.size() + 1),
       underFinger_(tries_.size()) {}
 
-void TrialDesk::tried(std::size_t slot, double now_s) {
+void TrialController::tried(std::size_t slot, double now_s) {
   DETENT_CHECK(slot < tries_.size(), "a choice of the trial, or X");
   ++tries_[slot];
   underFinger_ = slot;
   if (firstPress_s_ < 0) firstPress_s_ = now_s - shown_s_;
 }
 
-void TrialDesk::felt(const Felt& more) {
+void TrialController::felt(const Felt& more) {
   if (underFinger_ < felt_.size()) felt_[underFinger_].add(more);
 }
 
-Answer TrialDesk::asFelt() const {
+Answer TrialController::asFelt() const {
   Answer answer;
   answer.felt.assign(felt_.begin(), felt_.end() - 1);
   answer.feltX = felt_.back();
   return answer;
 }
 
-Answer TrialDesk::answer(std::size_t choice, double now_s) const {
+Answer TrialController::answer(std::size_t choice, double now_s) const {
   DETENT_CHECK(mayAnswer() && choice < trial_->choices.size(), "answered only what was felt");
   Answer answer = asFelt();
   answer.trial = trial_->number;

@@ -7,10 +7,10 @@
 
 namespace detent::playback {
 
-class TrialDesk {
+class TrialController {
  public:
   /// The trial is shown at `now_s`; the period of work began at `began_s`.
-  TrialDesk(const Study& study, const Trial& trial, double began_s, double now_s);
+  TrialController(const Study& study, const Trial& trial, double began_s, double now_s);
 
   const Trial& trial() const { return *trial_; }
   /// Returns true if X is a real switch, which is handed over, not played.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/study/trials/timing_desk.h"
+#include "playback/study/trials/timing_controller.h"
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ const char* nameOf(TimingFault fault) {
   return "not felt";
 }
 
-TimingDesk::TimingDesk(const Study& study, const Trial& trial, double began_s, double now_s)
+TimingController::TimingController(const Study& study, const Trial& trial, double began_s, double now_s)
     : study_(&study), trial_(&trial), began_s_(began_s), shown_s_(now_s) {
   const double first_s = now_s + lead_s;
   if (study.design.task == TimingTask::cue)
@@ -41,36 +41,36 @@ TimingDesk::TimingDesk(const Study& study, const Trial& trial, double began_s, d
   if (study.design.task == TimingTask::window) beats_s_.push_back(first_s + trial.interval_s);
 }
 
-void TimingDesk::pressed(double at_s, double within_s) {
+void TimingController::pressed(double at_s, double within_s) {
   if (!presses_s_.empty() && at_s <= presses_s_.back()) return;
   presses_s_.push_back(at_s);
   within_s_ = std::max(within_s_, within_s);
 }
 
-double TimingDesk::left_s(double now_s) const {
+double TimingController::left_s(double now_s) const {
   const double run_s = study_->design.run_s;
   return presses_s_.empty() ? run_s : std::max(0.0, presses_s_.front() + run_s - now_s);
 }
 
-double TimingDesk::zero_s() const {
+double TimingController::zero_s() const {
   if (!isTapping()) return cue_s();
   return presses_s_.empty() ? shown_s_ : presses_s_.front();
 }
 
-std::vector<double> TimingDesk::counted() const {
+std::vector<double> TimingController::counted() const {
   std::vector<double> presses;
   for (const double at_s : presses_s_)
     if (!isTapping() || at_s - zero_s() <= study_->design.run_s) presses.push_back(at_s - zero_s());
   return presses;
 }
 
-bool TimingDesk::over(double now_s) const {
+bool TimingController::over(double now_s) const {
   if (isTapping()) return !presses_s_.empty() && left_s(now_s) <= 0 && now_s >= presses_s_.back() + settle_s;
   if (presses_s_.empty() || !countedPress(*trial_, counted())) return now_s >= cue_s() + trial_->interval_s;
   return now_s >= std::max(cue_s() + trial_->window_s, presses_s_.back()) + settle_s;
 }
 
-TimingFault TimingDesk::fault() const {
+TimingFault TimingController::fault() const {
   const std::vector<double> presses = counted();
   if (isTapping() ? presses.size() < 2 : !countedPress(*trial_, presses)) return TimingFault::noPress;
   std::size_t close = 0;
@@ -81,7 +81,7 @@ TimingFault TimingDesk::fault() const {
   return felt_.presses == 0 ? TimingFault::notFelt : TimingFault::none;
 }
 
-Answer TimingDesk::answer(double now_s) const {
+Answer TimingController::answer(double now_s) const {
   DETENT_CHECK(fault() == TimingFault::none, "answered only what was pressed and felt");
   Answer answer;
   answer.trial = trial_->number;

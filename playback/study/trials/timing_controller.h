@@ -21,10 +21,10 @@ enum class TimingFault : std::uint8_t {
 /// Name in the journal: "no press".
 const char* nameOf(TimingFault fault);
 
-class TimingDesk {
+class TimingController {
  public:
   /// The trial is shown at `now_s`; the period of work began at `began_s`.
-  TimingDesk(const Study& study, const Trial& trial, double began_s, double now_s);
+  TimingController(const Study& study, const Trial& trial, double began_s, double now_s);
 
   const Trial& trial() const { return *trial_; }
   /// Cue: four beats, one interval apart, of which the last is the cue. Window: one, when the target reaches
