@@ -28,11 +28,12 @@ bool isSymbolLetter(char32_t c) {
 
 bool isDigit(char32_t c) { return c >= U'0' && c <= U'9'; }
 
-/// Returns true for what may stand for a letter: engines make a euro of an epsilon, and documents whose fonts
-/// name their letters wrongly make other signs of Greek ones. A digit may be read of an ideograph.
-bool mayBeSymbol(char32_t c) {
+/// Returns true for what may stand for a letter: documents whose fonts name their letters wrongly make other
+/// signs of Greek ones, and engines a euro of an epsilon. Other signs and digits may be read of an ideograph.
+bool mayBeSymbol(char32_t c, TextSource source) {
   constexpr char32_t firstLatinSign = 0xA1, lastLatinSign = 0xBF, euro = 0x20AC;
-  return isSymbolLetter(c) || (c >= firstLatinSign && c <= lastLatinSign) || c == euro;
+  const bool isLatinSign = c >= firstLatinSign && c <= lastLatinSign;
+  return isSymbolLetter(c) || (source == TextSource::exact ? isLatinSign : c == euro);
 }
 
 bool takeOff(std::string_view& text, std::string_view front) {
@@ -51,7 +52,7 @@ void takeOffIndex(std::string_view& text) {
   constexpr std::array<std::string_view, 8> indices{"max", "min", "rms", "x", "y", "z", "n", "N"};
   const auto isIndexDigit = [](char32_t c) { return isDigit(c) || (c >= 0x2080 && c <= 0x209C); };
   const auto isOfIndex = [&](char32_t c) { return isSymbolLetter(c) || isIndexDigit(c); };
-  takeOffWhile(text, isIndexDigit);
+  if (!text.empty() && isIndexDigit(codeOf(firstSign(text)))) text.remove_prefix(firstSign(text).size());
   if (takeOff(text, "_")) {
     takeOff(text, "{");
     takeOffWhile(text, isOfIndex);
@@ -118,7 +119,7 @@ std::optional<QuantitySymbol> symbolBeforeUnit(std::string_view title, TextSourc
   std::string_view rest = plain;
   takeOffWhile(rest, isAround);
   rest = withoutDifference(rest, source);
-  if (rest.empty() || !mayBeSymbol(codeOf(firstSign(rest)))) return {};
+  if (rest.empty() || !mayBeSymbol(codeOf(firstSign(rest)), source)) return {};
   const std::string_view symbol = firstSign(rest);
   rest.remove_prefix(symbol.size());
   takeOffIndex(rest);

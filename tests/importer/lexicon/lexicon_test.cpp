@@ -128,10 +128,10 @@ TEST_CASE("a letter that was read is what it was read as, a digit may be an ideo
        {Row{"U [N]", "", "", "U"}, Row{"w (N)", "", "", "w"}, Row{"W (N)", "N", "", ""},
         Row{"U [mm]", "", "", "U"}, Row{"u [mm]", "", "mm", ""},
         Row{"\u20AC (gf)", "", "", "\u20AC"},  // an epsilon as it is read
-        Row{"2 (mN)", "mN", "", ""}, Row{"5 (mm)", "", "mm", ""}, Row{"I [Ib]", "", "", "I"},
-        Row{"Aa (gf)", "", "", "a"}, Row{"Az (mm)", "", "mm", ""}, Row{"lal (gf)", "", "", "a"},
-        Row{"|F| (N)", "N", "", ""}, Row{"F, (N)", "N", "", ""}, Row{"Fy (N)", "N", "", ""},
-        Row{"{1 / mm", "", "mm", ""}})
+        Row{"2 (mN)", "mN", "", ""}, Row{"\u00BB (gf)", "gf", "", ""}, Row{"AE25,mm", "", "mm", ""},
+        Row{"5 (mm)", "", "mm", ""}, Row{"I [Ib]", "", "", "I"}, Row{"Aa (gf)", "", "", "a"},
+        Row{"Az (mm)", "", "mm", ""}, Row{"lal (gf)", "", "", "a"}, Row{"|F| (N)", "N", "", ""},
+        Row{"F, (N)", "N", "", ""}, Row{"Fy (N)", "N", "", ""}, Row{"{1 / mm", "", "mm", ""}})
     check(row, TextSource::recognised);
 }
 
