@@ -380,6 +380,7 @@ class Doubts {
 
   void units() {
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
+    for (Doubt& other : otherQuantitiesOf(axes)) doubts_.push_back({std::move(other), contradicted});
     unit(axes.x, false, hints_.axes.xUnit.has_value());
     unit(axes.y, true, hints_.axes.yUnit.has_value());
     // A given unit does not resolve whether "," is a decimal or a thousands separator.
@@ -389,9 +390,7 @@ class Doubts {
 
   void unit(const AxisReading& axis, bool force, bool given) {
     const bool settled = given || axis.unitFound || confirmedBySpec(checks_, force);
-    if (auto other = otherQuantityOf(axis, force))
-      doubts_.push_back({std::move(*other), contradicted});
-    else if (!settled)
+    if (axis.otherQuantity.empty() && !settled)
       add(DoubtCode::unitMissing, unconfirmed, {force ? "y" : "x", axis.unit},
           force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit);
   }

@@ -112,11 +112,10 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
   return graph;
 }
 
-/// The doubt about what the axes of a graph measure; nullopt without one.
+/// A doubt about what the axes of a graph measure, that of y first; nullopt without one.
 std::optional<Doubt> otherQuantityOf(const LocatedGraph& graph) {
-  const AxisCalibration& axes = graph.axes.calibration.value;
-  const auto other = otherQuantityOf(axes.y, true);
-  return other ? other : otherQuantityOf(axes.x, false);
+  std::vector<Doubt> doubts = otherQuantitiesOf(graph.axes.calibration.value);
+  return doubts.empty() ? std::nullopt : std::optional(std::move(doubts.back()));
 }
 
 RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGraph>& graph,

@@ -42,14 +42,22 @@ Point AxisCalibration::toView(Point mm_N) const {
 double AxisCalibration::mmPerPx() const { return unitsPerPx(*this).x; }
 double AxisCalibration::newtonPerPx() const { return unitsPerPx(*this).y; }
 
-std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce) {
-  if (axis.otherQuantity.empty()) return {};
-  return isForce ? Doubt{DoubtCode::otherQuantity,
-                         {"y", axis.otherQuantity},
-                         {{RemedyKind::giveYUnit, "if it is a force all the same"}}}
-                 : Doubt{DoubtCode::otherQuantity,
-                         {"x", axis.otherQuantity},
-                         {{RemedyKind::giveXUnit, "if it is a travel all the same"}}};
+bool areExchanged(const AxisCalibration& axes) {
+  return forceUnitFrom(axes.x.otherQuantity) && lengthUnitFrom(axes.y.otherQuantity);
+}
+
+std::vector<Doubt> otherQuantitiesOf(const AxisCalibration& axes) {
+  if (areExchanged(axes)) return {{DoubtCode::axesExchanged, {}, {}}};
+  std::vector<Doubt> doubts;
+  if (!axes.x.otherQuantity.empty())
+    doubts.push_back({DoubtCode::otherQuantity,
+                      {"x", axes.x.otherQuantity},
+                      {{RemedyKind::giveXUnit, "if it is a travel all the same"}}});
+  if (!axes.y.otherQuantity.empty())
+    doubts.push_back({DoubtCode::otherQuantity,
+                      {"y", axes.y.otherQuantity},
+                      {{RemedyKind::giveYUnit, "if it is a force all the same"}}});
+  return doubts;
 }
 
 }  // namespace detent::importer

@@ -125,7 +125,9 @@ void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFram
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes,
                     const Progress& progress = {});
 
-/// The doubt about an axis that measures neither force nor travel; nullopt without one.
-std::optional<Doubt> otherQuantityOf(const AxisReading& axis, bool isForce);
+/// Returns true if the titles say that force runs to the right and travel upwards.
+bool areExchanged(const AxisCalibration& axes);
+/// The doubts about axes that do not measure what they must: of x, then of y, or that both are exchanged.
+std::vector<Doubt> otherQuantitiesOf(const AxisCalibration& axes);
 
 }  // namespace detent::importer

@@ -316,16 +316,16 @@ Box joinedBox(const std::vector<Box>& boxes) {
 LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
                    const std::optional<AxisLabels>& labels, std::vector<Remark>& remarks) {
   x.unitFound = true;
-  if (hints.xUnit) {
-    x.unitBy = DecidedBy::given;
-    return *hints.xUnit;
-  }
-  if (labels && !labels->suffix.empty())
+  if (!hints.xUnit && labels && !labels->suffix.empty())
     if (const auto unit = lengthUnitIn(labels->suffix)) return unit->unit;
   const Box edge{r.box.x0, r.box.y1, r.box.x1, r.box.y1 + 1};
   const auto title = readXTitle(r, labels && !labels->words.empty() ? labels->extent : edge);
   x.title = title.text;
   x.otherQuantity = title.other;
+  if (hints.xUnit) {
+    x.unitBy = DecidedBy::given;
+    return *hints.xUnit;
+  }
   if (title.unit) return title.unit->unit;
   if (labels && title.other.empty()) {
     if (const auto unit = lengthUnitBehindNumbers(r, *labels)) return *unit;
@@ -342,11 +342,7 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
                   const std::optional<AxisLabels>& labels, const EndValues& values,
                   std::vector<Remark>& remarks) {
   y.unitFound = true;
-  if (hints.yUnit) {
-    y.unitBy = DecidedBy::given;
-    return *hints.yUnit;
-  }
-  if (labels && !labels->suffix.empty())
+  if (!hints.yUnit && labels && !labels->suffix.empty())
     if (const auto unit = forceUnitIn(labels->suffix)) return unit->unit;
   const Box edge{r.box.x0 - 1, r.box.y0, r.box.x0, r.box.y1};
   const std::vector<Box> read = labels ? agreedBoxes(*labels) : std::vector<Box>{};
@@ -354,6 +350,10 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   const auto title = readYTitle(r, read.empty() ? edge : joinedBox(read));
   y.title = title.text;
   y.otherQuantity = title.other;
+  if (hints.yUnit) {
+    y.unitBy = DecidedBy::given;
+    return *hints.yUnit;
+  }
   if (title.unit) return title.unit->unit;
   if (labels && title.other.empty()) {
     if (const auto unit = forceUnitBehindNumbers(r, *labels)) return *unit;
@@ -590,6 +590,11 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   auto& cal = found.calibration.value;
   const auto xUnit = xUnitOf(cal.x, hints, r, xLabels, found.remarks);
   const auto yUnit = yUnitOf(cal.y, hints, r, yLabels, y, found.remarks);
+  // A unit given by hand settles what one axis measures, not that the two are exchanged.
+  if (!areExchanged(cal)) {
+    if (hints.xUnit) cal.x.otherQuantity.clear();
+    if (hints.yUnit) cal.y.otherQuantity.clear();
+  }
   cal.x.unit = symbolOf(xUnit);
   cal.y.unit = symbolOf(yUnit);
   fillReading(cal.x, xLabels, xGiven.range());

@@ -75,6 +75,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
      words("the release lies above the press over %1 of their travel")},
     {DoubtCode::unitMissing, "unit-missing", words("the %1 axis names no unit; %2 would be a guess")},
     {DoubtCode::otherQuantity, "other-quantity", words("the %1 axis measures \"%2\"")},
+    {DoubtCode::axesExchanged, "axes-exchanged",
+     words("the axes are exchanged: force runs to the right and travel upwards")},
     {DoubtCode::implausibleTravel, "implausible-travel", words("a travel of %1 is not a button's")},
     {DoubtCode::implausibleForce, "implausible-force", words("a force of %1 is not a button's")},
     {DoubtCode::negativeTravel, "negative-travel", words("the press starts at %1, left of zero")},

@@ -66,8 +66,9 @@ enum class DoubtCode {
   strokesAlike,       ///< colours of the two
   releaseAbovePress,  ///< share of their travel
   // what no step sees alone, docs/develop/decisions/0805-doubts.md
-  unitMissing,        ///< axis, unit that would be taken
-  otherQuantity,      ///< axis, what it measures as printed
+  unitMissing,    ///< axis, unit that would be taken
+  otherQuantity,  ///< axis, what it measures as printed
+  axesExchanged,
   implausibleTravel,  ///< mm
   implausibleForce,   ///< N
   negativeTravel,     ///< mm at the press's start
