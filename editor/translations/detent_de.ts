@@ -10165,6 +10165,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>a reset point is printed, but was not placed</source>
         <translation>ein Rückschaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
     </message>
+    <message>
+        <source>the axes are exchanged: force runs to the right and travel upwards</source>
+        <translation>die Achsen sind vertauscht: Die Kraft verläuft nach rechts und der Weg nach oben</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -12277,6 +12281,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>a d&apos; answers same/different studies only</source>
         <translation>ein d&apos; beantwortet nur Studien same-different</translation>
+    </message>
+    <message>
+        <source>is the name of two files of this format</source>
+        <translation>ist der Name zweier Dateien dieses Formats</translation>
+    </message>
+    <message>
+        <source>Give the file another ending than %1</source>
+        <translation>Geben Sie der Datei eine andere Endung als %1</translation>
     </message>
 </context>
 <context>

@@ -316,6 +316,33 @@ TEST_CASE("a letter of another quantity beside a unit of force leaves the axes u
   CHECK(time.value.x.otherQuantity == "t");
 }
 
+TEST_CASE("axes whose titles are exchanged stay exchanged, whatever units are given") {
+  PlotStyle s;
+  s.xStep = 10, s.yStep = 0.25;
+  auto looked = readWithoutCurves(s);
+  writeBelow(looked.view, s);
+  writeLeft(looked.view, s);
+  const auto doubtsWith = [&](const char* x, const char* y, const AxisHints& hints) {
+    PageView view = looked.view;
+    view.texts.push_back({x, {380, 545, 500, 562}, 0});
+    view.texts.push_back({y, {20, 200, 38, 340}, 90});
+    return otherQuantitiesOf(readAxes(view, looked.frame, hints).value().calibration.value);
+  };
+  AxisHints units;
+  units.xUnit = LengthUnit::millimetre, units.yUnit = ForceUnit::gramForce;
+  AxisHints xAlone, yAlone;
+  xAlone.xUnit = units.xUnit, yAlone.yUnit = units.yUnit;
+  for (const AxisHints& hints : {AxisHints{}, xAlone, yAlone, units}) {
+    const auto doubts = doubtsWith("Force (gf)", "Travel (mm)", hints);
+    REQUIRE(doubts.size() == 1);
+    CHECK(doubts[0].code == DoubtCode::axesExchanged);
+    CHECK(doubtsWith("Travel (mm)", "Force (gf)", hints).empty());
+  }
+  // One axis alone: the unit that a person gives counts.
+  CHECK(doubtsWith("Travel (mm)", "Travel (mm)", {}).size() == 1);
+  CHECK(doubtsWith("Travel (mm)", "Travel (mm)", yAlone).empty());
+}
+
 TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
