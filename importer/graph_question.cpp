@@ -24,7 +24,7 @@ Question whichSwitch(const std::vector<PlotSwitch>& switches) {
 Question whichUnit(bool ofForce) {
   constexpr std::array forces{"N", "gf", "cN", "mN", "kgf", "lbf", "ozf"};
   constexpr std::array lengths{"mm", "um", "in", "mil"};
-  Question question{ofForce ? "the unit of force" : "the unit of displacement", {}};
+  Question question{std::string("the unit of ") + (ofForce ? "force" : "displacement"), {}};
   for (const char* unit :
        ofForce ? std::span<const char* const>(forces) : std::span<const char* const>(lengths))
     question.choices.push_back({unit, std::string(ofForce ? "--y-unit " : "--x-unit ") + unit});

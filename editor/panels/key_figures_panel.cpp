@@ -179,6 +179,12 @@ void KeyFiguresPanel::resizeEvent(QResizeEvent* event) {
   about_->setVisible(height() >= leastWithMeaning_px);
 }
 
+// The drawing beside the meaning has the colours of the theme.
+void KeyFiguresPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) showMeaning();
+}
+
 // The viewport has its size only when the table is shown.
 bool KeyFiguresPanel::eventFilter(QObject* object, QEvent* event) {
   if (object == table_->viewport() && event->type() == QEvent::Resize) layOut();

@@ -348,8 +348,8 @@ bool isWriting(const AxisLabels& column) {
   constexpr double closest = 0.45;  // of the lower one's height
   int close = 0;
   for (std::size_t i = 1; i < column.words.size(); ++i) {
-    const Box &above = column.words[i - 1].box, &below = column.words[i].box;
-    close += below.y0 - above.y1 < closest * std::min(above.height(), below.height());
+    const Box &upper = column.words[i - 1].box, &lower = column.words[i].box;
+    close += lower.y0 - upper.y1 < closest * std::min(upper.height(), lower.height());
   }
   return 2 * close >= static_cast<int>(column.words.size()) - 1;
 }

@@ -466,7 +466,7 @@ class LogReader {
         !(read.unknownUnitOfForce ? hints_.yUnit.has_value() : hints_.xUnit.has_value()) &&
         usesUnknownUnit(read.best.front(), data)) {
       const bool force = read.unknownUnitOfForce;
-      reading_.question = Question{force ? "the unit of force" : "the unit of displacement", {}};
+      reading_.question = Question{std::string("the unit of ") + (force ? "force" : "displacement"), {}};
       constexpr std::array forceUnits{"N", "gf", "mN", "cN", "kgf", "lbf", "ozf"};
       constexpr std::array lengthUnits{"mm", "um", "in", "mil", "cm"};
       for (const char* unit :

@@ -24,7 +24,7 @@ DESK, MAKER, STATION = "studyDesk", "studyMaker", "studyWindow"
 MOST_TABS = 60
 WORDS = {"en": {"agree": "y", "count": "Question", "thanks": "Thank you", "consent": "virtual buttons"},
          "de": {"agree": "j", "count": "Frage", "thanks": "Vielen Dank", "consent": "virtuelle Tasten"}}
-TASK_WORDS = {"en": {"cue": "Four beats", "window": "A ball", "tapping": "again and again"},
+TASK_WORDS = {"en": {"cue": "four even beats", "window": "A ball", "tapping": "again and again"},
               "de": {"cue": "vier gleichmäßige Schläge", "window": "Ein Ball", "tapping": "immer wieder"}}
 OTHER_KINDS = {  # what `study new` is told, and the keys of one question
     "matching": (["--kind", "matching"], ["1", "2", "x"], ["b"]),

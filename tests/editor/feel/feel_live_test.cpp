@@ -233,7 +233,7 @@ class FeelLiveTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 5000);
     QTRY_VERIFY(!rig.finger);
     server.stop();
-    QTRY_VERIFY_WITH_TIMEOUT(rig.status().contains("is gone"), 6000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.status().contains("is disconnected"), 6000);
     rig.deepest_mm = 0;
     rig.press();
     QTRY_COMPARE(rig.deepest_mm, 4.0);
