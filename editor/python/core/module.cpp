@@ -254,7 +254,7 @@ Read between(const KeptButton& from, const KeptButton& to, std::optional<double>
 void bindAnswers(py::module_& core) {
   core.def("render", &rendered);
   core.def("average", &averaged);
-  core.def("intermediate", &between);
+  core.def("between", &between);
   core.def("confusion", [](const std::vector<KeptButton>& buttons) {
     return answered<std::string>(
         [all = plain(buttons)](const Cancelled& cancelled) { return confusionOf(all, cancelled); });

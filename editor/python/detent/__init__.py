@@ -33,7 +33,7 @@ from .failure import Failure, NoForceGraph, NotCertain, UnreadableInput, WrongUs
 
 __all__ = [
     "Button", "Edit", "Failure", "Graph", "NoForceGraph", "NotCertain", "UnreadableInput", "WrongUsage",
-    "average", "intermediate", "compare", "confusion", "edits", "find_like", "import_many", "load", "performance", "read", "render",
+    "average", "between", "compare", "confusion", "edits", "find_like", "import_many", "load", "performance", "read", "render",
     "__version__",
 ]
 
