@@ -102,7 +102,7 @@ QHBoxLayout* CurvesBox::resolutionRow() {
   label->setBuddy(dpi_);
   dpi_->setObjectName(QStringLiteral("dpi"));
   dpi_->setRange({0, 1200});
-  dpi_->setLowestText(tr("automatic, by quality"));
+  dpi_->setLowestText(tr("automatic"));
   dpi_->setKeyboardTracking(false);
   dpi_->setToolTip(
       tr("Resolution at which a page of a document is drawn before it is traced, in dots per inch"));

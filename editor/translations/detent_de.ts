@@ -3700,8 +3700,8 @@ Lizenz: %3</translation>
         <translation>Auflösung</translation>
     </message>
     <message>
-        <source>automatic, by quality</source>
-        <translation>automatisch, nach Qualität</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>Resolution at which a page of a document is drawn before it is traced, in dots per inch</source>

@@ -12,7 +12,7 @@ namespace detent::importer {
 
 /// The letter that a title has in place of words.
 struct QuantitySymbol {
-  std::string letter;  ///< U of "U [N]", a of "|a_z|(t) / g"
+  std::string letter;   ///< U of "U [N]", a of "|a_z|(t) / g"
   bool agrees = false;  ///< people write it for what the unit behind it measures
 };
 

@@ -191,7 +191,7 @@ TEST_CASE("Every quality level says its work and its error") {
   for (const auto quality :
        {importer::Quality::draft, importer::Quality::standard, importer::Quality::precise}) {
     CHECK(figuresOf(quality).quality == quality);
-    CHECK(describedQuality(quality).contains("work"));
+    CHECK(describedQuality(quality).contains(quality == importer::Quality::draft ? "fastest" : "time"));
     CHECK(describedQuality(quality).contains(" %"));
   }
 }

@@ -90,6 +90,8 @@ void KeyFiguresPanelTest::namesStayBesideWhatIsKept() {
   panel.show();
   auto* table = panel.findChild<QTableView*>();
   const QHeaderView& names = *table->verticalHeader();
+  panel.findChild<QCheckBox*>("allFigures")->click();  // the longest names and units
+  rig.settings.setUnits({LengthUnit::micrometre, ForceUnit::millinewton});
   panel.resize(200, 400);
   QTRY_VERIFY(names.isVisible() && table->isColumnHidden(KeyFiguresModel::figure));
   QVERIFY(table->horizontalScrollBar()->maximum() > 0);

@@ -452,13 +452,13 @@ class StudyTest : public QObject {
     agree(window);
     feelAll(window);
     rig.finger->lost = true;
-    QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("away"));
+    QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("disconnected"));
     QTest::keyClick(window, Qt::Key_A);
     QVERIFY(rig.record().answers.empty());
     QTest::qWait(250);
     QCOMPARE(rig.record().interruptions, std::size_t{1});  // once, however long it is away
     rig.finger->lost = false;
-    QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("back"));
+    QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("connected again"));
     QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());  // anew
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
@@ -507,7 +507,7 @@ class StudyTest : public QObject {
     StudyWindow* window = rig.begin("P01");
     rig.dialog->findChild<QLineEdit*>("studyParticipant")->setText("P02");
     rig.dialog->findChild<QPushButton*>("studyStart")->click();
-    QVERIFY(rig.trouble().contains("at work"));
+    QVERIFY(rig.trouble().contains("is answering"));
     window->close();
   }
 
@@ -845,11 +845,11 @@ class StudyTest : public QObject {
     QCOMPARE(rig.record().interruptions, std::size_t{3});  // who pauses misses nothing
     QTest::keyClick(window, Qt::Key_Return);
     rig.finger->lost = true;
-    QTRY_VERIFY(trouble().contains("away"));
+    QTRY_VERIFY(trouble().contains("disconnected"));
     QTest::qWait(100);
     QCOMPARE(rig.record().interruptions, std::size_t{4});  // once, however long it is away
     rig.finger->lost = false;
-    QTRY_VERIFY(trouble().contains("back"));
+    QTRY_VERIFY(trouble().contains("connected again"));
     QTest::keyClick(window, Qt::Key_Q);
     QTest::keyClick(window, Qt::Key_S);
     QVERIFY(rig.record().endedEarly && rig.record().answers.empty());
@@ -903,7 +903,7 @@ class StudyTest : public QObject {
       QTRY_VERIFY2(trouble().contains("F9"), qPrintable(trouble()));
       QCOMPARE(rig.record().interruptions, std::size_t{1});
       QTest::keyClick(window, Qt::Key_F9);
-      QTRY_VERIFY(trouble().contains("back"));
+      QTRY_VERIFY(trouble().contains("connected again"));
       QVERIFY(!rig.finger->stopped);
       window->close();
     }

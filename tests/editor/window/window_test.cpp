@@ -698,8 +698,8 @@ class WindowTest : public QObject {
     share->setValue(0);
     QVERIFY(dialog->between()->states() == rig.document().button().states());
     share->setValue(25);
-    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel*>("morphForecastTo")->text().startsWith("Compared with B"),
-                             20'000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        dialog->findChild<QLabel*>("morphForecastTo")->text().startsWith("Compared with B"), 20'000);
     dialog->findChild<QPushButton*>("morphCreate")->click();
     QCOMPARE(rig.window->tabs().all().size(), std::size_t(3));
     const double made_mm =
