@@ -102,7 +102,7 @@ bool isConditionWithUnit(std::string_view title) {
   return isCondition(title) && (title.ends_with(')') || title.ends_with(']')) && unit.isOfButton();
 }
 
-/// Returns true if a column's title tells what was measured apart from others, and not which quantity: a
+/// Returns true if a column's title says which of several specimens was measured, and not which quantity: a
 /// condition, or a word for a specimen with its letter or number.
 bool namesRecordIn(const DataColumn& column) {
   const KnownWords& words = column.words;

@@ -133,8 +133,8 @@ std::vector<TracedSet> setsOf(const Json& document) {
   if (const Json* all = listAt(document, "datasetColl"))
     for (const Json& set : *all) {
       const std::string axes = set.is_object() ? textAt(set, "axesName") : "";
-      const auto its = xyAxes.find(axes);
-      if (its != xyAxes.end()) addSet(set, axes, its->second, sets);
+      const auto known = xyAxes.find(axes);
+      if (known != xyAxes.end()) addSet(set, axes, known->second, sets);
     }
   return sets;
 }
@@ -193,8 +193,8 @@ std::vector<RecordedSwitch> byName(const std::vector<TracedSet>& sets) {
     const StrokeName name = strokeNameOf(set.name);
     if (name.stroke == Stroke::release) continue;
     const auto release = std::ranges::find_if(sets, [&](const TracedSet& other) {
-      const StrokeName its = strokeNameOf(other.name);
-      return its.stroke == Stroke::release && lowered(its.rest) == lowered(name.rest) &&
+      const StrokeName otherName = strokeNameOf(other.name);
+      return otherName.stroke == Stroke::release && lowered(otherName.rest) == lowered(name.rest) &&
              other.axes == set.axes;
     });
     const TracedSet* partner = release != sets.end() && !taken.contains(&*release) ? &*release : nullptr;

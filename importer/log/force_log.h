@@ -28,7 +28,8 @@ struct LogHints {
   std::string releasePath = {};  ///< a second file, of the release alone; empty: none
 };
 
-/// How fast a recorded stroke was travelled: mean from 10 to 90 % of the travel, and how much faster one half of that was than the other.
+/// Speed of a recorded stroke: the mean from 10 to 90 % of the travel, and the ratio of the faster half of that
+/// to the slower one.
 struct StrokeSpeed {
   double mean_mm_per_s = 0;  ///< > 0
   double uneven = 1;         ///< >= 1

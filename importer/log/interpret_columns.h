@@ -25,7 +25,7 @@ ColumnReading interpretColumns(const Table& table, const DataTable& data, const 
 /// The units that a table may have where it says none.
 std::vector<AssumedUnit> possibleUnits(bool force);
 
-/// How well units fit a button's travel and highest force. `record` as the file has it.
+/// Log-likelihood of units, given a button's travel and highest force. `record` has the units of the file.
 Evidence unitEvidence(const LogRecord& record, const AssumedUnit& x, const AssumedUnit& y);
 
 /// Difference of two records: mean distance of their strokes along force, as a share of the first's force span; 1 where

@@ -514,10 +514,10 @@ class LogReader {
       question(x.label() + " is the displacement, " + f.label() + " the force", xOption + " " + fOption);
       return Message("whether column %1 is a displacement and %2 a force is not known", x.label(), f.label());
     }
-    const DataColumn& asked = askX ? x : f;
-    question(asked.label() + (askX ? " is the displacement" : " is the force"), askX ? xOption : fOption);
-    return askX ? Message("whether column %1 is a displacement is not known", asked.label())
-                : Message("whether column %1 is a force is not known", asked.label());
+    const DataColumn& doubtful = askX ? x : f;
+    question(doubtful.label() + (askX ? " is the displacement" : " is the force"), askX ? xOption : fOption);
+    return askX ? Message("whether column %1 is a displacement is not known", doubtful.label())
+                : Message("whether column %1 is a force is not known", doubtful.label());
   }
 
   /// A unit given by hand settles a column whose title and unit contradict each other.

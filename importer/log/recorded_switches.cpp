@@ -111,10 +111,10 @@ std::string nameIn(std::string title) {
 NamedColumn named(const SheetColumn& column) {
   NamedColumn is;
   if (column.heading.empty()) return is;
-  const std::string heading = lowered(column.heading), both = lowered(column.title) + " " + heading;
-  if (both.find("downstroke") != std::string::npos)
+  const std::string heading = lowered(column.heading), words = lowered(column.title) + " " + heading;
+  if (words.find("downstroke") != std::string::npos)
     is.stroke = Stroke::press;
-  else if (both.find("upstroke") != std::string::npos)
+  else if (words.find("upstroke") != std::string::npos)
     is.stroke = Stroke::release;
   if (heading.find("arrow") != std::string::npos || heading.find("points") != std::string::npos) return is;
   if (heading.find("actuated") != std::string::npos)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Measurements that are kept as what they are: strokes already told apart, contact points beside them, several switches in a file.
+// Measurements in files that already separate the strokes, with contact points beside them or several
+// switches in one file.
 // OpenDocument spreadsheets of the Open-Switch curve meter in both layouts (headings in one line or in two), JSON of Geekboards'
 // force tester, projects of WebPlotDigitizer.
 

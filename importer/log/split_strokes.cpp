@@ -124,7 +124,7 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   // Short of this it is the beginning of the rise; beyond most of the travel it is the button's own force.
   constexpr double leastFlat = 0.01, mostFlat = 0.9;  // of the travel
   if (end < fewest || flat < leastFlat * travel || flat > mostFlat * travel) return std::nullopt;
-  // On a slope it is the foot of the rise: the last readings of the stretch are left out, the rise begins among them.
+  // On a slope the rise begins among the last readings of the stretch, so these are left out.
   const std::size_t judged = std::max(fewest, end - end / 5);
   std::vector<double> before;
   double mean_mm = 0, mean_N = 0;

@@ -34,7 +34,7 @@ std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke);
 /// even steps are no rounding). Fewer than 16 values cannot tell noise from shape: they count as written.
 double noiseOf(const std::vector<double>& values, double lastDigit = std::numeric_limits<double>::infinity());
 
-/// What is recorded before the key is touched.
+/// Readings recorded before the key is touched.
 struct BeforeContact {
   double force_N = 0;         ///< of the unloaded gauge
   double contact_mm = 0;      ///< place of contact
