@@ -89,7 +89,7 @@ void FileController::importMany() {
   if (!batch_) {
     BatchActions actions;
     actions.files = [this](QWidget* parent) {
-      const QStringList chosen =
+      QStringList chosen =
           at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folder(), importFilters());
       if (!chosen.isEmpty()) at_.rememberFolder(chosen.front());
       return chosen;

@@ -37,7 +37,7 @@ class GuidePages : public QTextBrowser {
   }
 
   QVariant loadResource(int type, const QUrl& name) override {
-    const QVariant loaded = QTextBrowser::loadResource(type, name);
+    QVariant loaded = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::ImageResource) return loaded;
     const QImage picture = QImage::fromData(loaded.toByteArray());
     const int room_px = std::max(1, window()->width() - besidePicture_px);
@@ -46,13 +46,12 @@ class GuidePages : public QTextBrowser {
 
   void follow(const QUrl& link) {
     const QUrl page = source().resolved(link);
-    if (!page.isLocalFile()) {
-      QDesktopServices::openUrl(page);
-    } else if (!QFileInfo(page.toLocalFile()).isFile()) {
+    const bool isPage = page.isLocalFile() && page.path().endsWith(QLatin1String(".md"));
+    if (page.isLocalFile() && !QFileInfo(page.toLocalFile()).isFile()) {
       note_.setText(GuideWindow::tr("%1 is part of Detent's sources; it is not installed with the program.")
                         .arg(page.fileName()));
       note_.show();
-    } else if (page.toLocalFile().endsWith(QLatin1String(".md"))) {
+    } else if (isPage) {
       setSource(page.adjusted(QUrl::RemoveFragment));
     } else {
       QDesktopServices::openUrl(page);

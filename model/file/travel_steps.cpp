@@ -21,8 +21,8 @@ void appendSample(std::string& csv, const char* stroke, const StrokeCurve& curve
   csv += '\n';
 }
 
-Failure refusal(Message problem, Message remedy) {
-  return {FailureCode::wrongUsage, "", "", std::move(problem), std::move(remedy)};
+Failure refusal(const Message& problem, const Message& remedy) {
+  return {FailureCode::wrongUsage, "", "", problem, remedy};
 }
 
 }  // namespace
