@@ -302,18 +302,23 @@ QString shortPlace(CurvePoint at, const GraphScene& scene) {
                QStringLiteral("\u2009") + scene.units.lengthSymbol());
 }
 
-QRectF tagBox(const QPainter& painter, QPointF at_px, const QString& text, const QRectF& bounds_px) {
-  const QFontMetricsF metrics(painter.font());
-  const double width = std::min(metrics.boundingRect(text).width() + 10, 0.8 * bounds_px.width());
-  QRectF box = metrics.boundingRect(QRectF(0, 0, width, 1000), Qt::AlignCenter | Qt::TextWordWrap, text)
-                   .adjusted(-5, -2, 5, 2);
-  box.moveCenter(at_px);
+/// A label's box, moved into the plot.
+QRectF keptInside(QRectF box, const QRectF& bounds_px) {
   const QRectF inside = bounds_px.adjusted(3, 3, -3, -3);
   if (box.right() > inside.right()) box.moveRight(inside.right());
   if (box.left() < inside.left()) box.moveLeft(inside.left());
   if (box.bottom() > inside.bottom()) box.moveBottom(inside.bottom());
   if (box.top() < inside.top()) box.moveTop(inside.top());
   return box;
+}
+
+QRectF tagBox(const QPainter& painter, QPointF at_px, const QString& text, const QRectF& bounds_px) {
+  const QFontMetricsF metrics(painter.font());
+  const double width = std::min(metrics.boundingRect(text).width() + 10, 0.8 * bounds_px.width());
+  QRectF box = metrics.boundingRect(QRectF(0, 0, width, 1000), Qt::AlignCenter | Qt::TextWordWrap, text)
+                   .adjusted(-5, -2, 5, 2);
+  box.moveCenter(at_px);
+  return keptInside(box, bounds_px);
 }
 
 void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const QColor& tagColor,
@@ -352,8 +357,8 @@ int pointsIn(const QRectF& box, const std::vector<QPointF>& points_px) {
   return static_cast<int>(std::ranges::count_if(points_px, [&](QPointF at) { return box.contains(at); }));
 }
 
-/// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, best
-/// one beside the strokes, or is left out if none is near.
+/// Labels beside marks. No label covers a mark or another label: a later one goes to the next free place, if
+/// possible beside the strokes, and is left out if no place near is free.
 class Tags {
  public:
   Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene)
@@ -366,16 +371,16 @@ class Tags {
 
   void put(QPointF at_px, const QString& text, const QColor& tagColor, std::optional<MarkId> mark = {}) {
     const QRectF wished = tagBox(painter_, at_px, text, map_.clip_px);
-    const auto moved = [&](QPointF away) {
-      return tagBox(painter_, wished.center() + away, text, map_.clip_px);
-    };
-    const std::vector<QPointF> offsets = placesAround(wished.size());
-    auto place = std::ranges::find_if(
-        offsets, [&](QPointF away) { return free(moved(away)) && pointsIn(moved(away), strokes_px_) == 0; });
-    if (place == offsets.end())
-      place = std::ranges::find_if(offsets, [&](QPointF away) { return free(moved(away)); });
-    if (place == offsets.end()) return;
-    const QRectF box = moved(*place);
+    std::optional<QRectF> freeBox;  // the nearest one, better one that leaves the strokes free
+    for (const QPointF& away : placesAround(wished.size())) {
+      const QRectF moved = keptInside(wished.translated(away), map_.clip_px);
+      if (!free(moved)) continue;
+      const bool leavesStrokesFree = pointsIn(moved, strokes_px_) == 0;
+      if (!freeBox || leavesStrokesFree) freeBox = moved;
+      if (leavesStrokesFree) break;
+    }
+    if (!freeBox) return;
+    const QRectF box = *freeBox;
     taken_.push_back(box);
     if (mark && scene_.flags) scene_.flags->push_back({box, *mark});
     paintTagIn(painter_, box, text, tagColor, scene_.colors.background);
