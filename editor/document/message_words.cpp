@@ -89,6 +89,11 @@ QString inWords(const MessageValue& value, const DisplayUnits& units) {
   return parts.join(QStringLiteral("; "));
 }
 
+QString withFullStop(const QString& text) {
+  const bool ends = text.endsWith('.') || text.endsWith('!') || text.endsWith('?');
+  return ends ? text : text + '.';
+}
+
 }  // namespace
 
 QString inWords(const Message& message, const DisplayUnits& units) {
@@ -102,8 +107,7 @@ QString asSentence(QString text) {
   text = text.trimmed();
   if (text.isEmpty()) return text;
   text[0] = text[0].toUpper();
-  if (!text.endsWith('.') && !text.endsWith('!') && !text.endsWith('?')) text += '.';
-  return text;
+  return withFullStop(text);
 }
 
 QString shortened(const QString& text, int longest) {
@@ -121,7 +125,7 @@ QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
   if (!failure.place.empty()) where << inWords(failure.place, units);
   QString text = where.join(QStringLiteral(", "));
   if (!text.isEmpty()) text += QStringLiteral(": ");
-  text += inWords(failure.problem, units) + '.';
+  text += withFullStop(inWords(failure.problem, units));
   for (const Remedy& remedy : failure.remedies)
     if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))
       text += ' ' + asSentence(inWords(remedy.words, units));

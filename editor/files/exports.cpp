@@ -58,10 +58,9 @@ Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& g
   for (const QString& part : text.split(separator, Qt::SkipEmptyParts)) {
     const QuantityReading reading = readQuantity(part, Quantity::length, units);
     if (!reading.value)
-      return Failure{
-          FailureCode::wrongUsage, "", "",
-          refusalOf(reading, Quantity::length, units).remove(QRegularExpression("\\.$")).toStdString(),
-          SampledAt::tr("Example: 0.1, or 0; 0.5; 2").toStdString()};
+      return Failure{FailureCode::wrongUsage, "", "",
+                     refusalOf(reading, Quantity::length, units).toStdString(),
+                     SampledAt::tr("Example: 0.1, or 0; 0.5; 2").toStdString()};
     typed.push_back(*reading.value);
   }
   return typed.size() == 1 ? travelsAtEach(typed.front(), graph) : travelsWithin(std::move(typed), graph);
