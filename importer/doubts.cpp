@@ -141,8 +141,8 @@ std::array<int, 2> timesOver(const std::vector<double>& ofPress, const std::vect
 }
 
 /// Returns true if a stroke jumps to the other one, runs along it and jumps back: it was traced along the
-/// wrong line where a third line covers its own, or in the gaps of its dashes. On a key that snaps each stroke
-/// jumps only once.
+/// wrong line where a third line covers its own, or in the gaps of its dashes. On a key that snaps each
+/// stroke jumps only once.
 bool stepsOverAndBack(const StrokePair& strokes) {
   constexpr StepOver onThirdLine{0.04, 0.03, 0.05}, inGap{0.02, 0.01, 0};
   constexpr int fewestGaps = 3;  // two lines that cross come together once or twice

@@ -221,7 +221,8 @@ int AnnotationsPanel::chosen(const QTreeWidget& list) {
   return items.isEmpty() ? -1 : list.indexOfTopLevelItem(items.front());
 }
 
-// Changes links, which act on later edits, and lowers the releases in the same step. If impossible, both stay.
+// Changes links, which act on later edits, and lowers the releases in the same step. If impossible, both
+// stay.
 void AnnotationsPanel::link(const EditLinks& links, const QString& label, double lower_N) {
   EditHistory& history = document_.history();
   if (history.dragging()) return follow();

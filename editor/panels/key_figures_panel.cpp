@@ -23,7 +23,7 @@ namespace {
 
 constexpr QSize panelPictureSize(132, 84);
 constexpr int leastNumber = 3;  // characters before the decimal sign
-// What people ask first about a button.
+// Shown unless all figures are requested: those that datasheets give.
 constexpr KeyFigure firstFigures[] = {
     KeyFigure::preTravel, KeyFigure::operatingForce, KeyFigure::peakForce,   KeyFigure::drop,
     KeyFigure::snapRatio, KeyFigure::resetTravel,    KeyFigure::totalTravel, KeyFigure::bottomOutForce};

@@ -28,8 +28,8 @@ class ValueDelegate : public QStyledItemDelegate {
   /// Draws numbers with their units, decimal signs below each other; `widest` is the longest text that may
   /// stand behind the whole part of a number.
   void alignDecimals(const QString& widest) { tail_ = widest; }
-  /// A cell's text before and from the decimal sign on, its unit included; the second part is empty for a text
-  /// that is no number.
+  /// A cell's text before and from the decimal sign on, its unit included; the second part is empty for a
+  /// text that is no number.
   static std::pair<QString, QString> atDecimal(const QModelIndex& cell);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

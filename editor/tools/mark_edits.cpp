@@ -50,7 +50,8 @@ bool turnsWithin(const StrokeCurve& curve, double from_mm, double to_mm) {
   return false;
 }
 
-// Changes two slopes by the least amount that adds `by_N` = weights[0] * d0 + weights[1] * d1, within their ranges.
+// Changes two slopes by the least amount that adds `by_N` = weights[0] * d0 + weights[1] * d1, within their
+// ranges.
 struct BentSlope {
   double slope, weight, least, most;
 };
@@ -73,8 +74,9 @@ bool bend(std::array<BentSlope, 2>& slopes, double by_N) {
   return std::abs(by_N) <= bendRounding_N;
 }
 
-// Bends the segment between two knots so that it passes `by_N` higher at a displacement, at a knot in the middle of
-// the segment beside it; the knots stay, and so does everything outside. A segment that only rises or only falls does so afterwards, too.
+// Bends the segment between two knots so that it passes `by_N` higher at a displacement, at a knot in the
+// middle of the segment beside it; the knots stay, and so does everything outside. A segment that only rises
+// or only falls does so afterwards, too.
 Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double by_N) {
   std::vector<Knot> knots = curve.knots();
   std::size_t right = 1;

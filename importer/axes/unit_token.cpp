@@ -14,6 +14,9 @@
 namespace detent::importer {
 namespace {
 
+/// Returns true for the first byte of a character of UTF-8.
+bool startsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
 /// The symbol of a unit of plots, for a correct reading or a usual misreading; empty if there is none.
 /// `apart`: a mark separates the unit. A misreading that needs the quantity's name as confirmation is
 /// returned as it was read: "H" may be newton (Н) or henry, which the whole title decides.
@@ -113,8 +116,9 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
 
 std::string UnitToken::endOf(const std::string& line) const {
   std::size_t end = std::min(line.find_last_of(' '), line.find_first_of("([{"));
-  // Where as many letters were read as there are blobs, those of the unit are known: "vIN]" is "v" and "[N]".
-  const auto isLetter = [](char c) { return c != ' ' && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  // If as many letters were read as there are blobs, the letters before the unit are known: "vIN]" is "v" and
+  // "[N]".
+  const auto isLetter = [](char c) { return c != ' ' && startsCharacter(c); };
   if (static_cast<std::size_t>(std::ranges::count_if(line, isLetter)) == lettersOfLine)
     for (std::size_t i = 0, before = 0; i < line.size(); ++i)
       if (isLetter(line[i]) && before++ == lettersBefore) end = i;
@@ -131,8 +135,7 @@ double leastSure(const std::string& text) {
   constexpr double sure = 0.7, sureInBrackets = 0.5;  // of the engine's
   constexpr std::ptrdiff_t fewest = 5;                // signs
   // start of a UTF-8 character
-  const auto isNew = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-  const bool whole = std::ranges::count_if(text, isNew) >= fewest &&
+  const bool whole = std::ranges::count_if(text, startsCharacter) >= fewest &&
                      (text.front() == '(' || text.front() == '[') &&
                      (text.back() == ')' || text.back() == ']');
   return whole ? sureInBrackets : sure;

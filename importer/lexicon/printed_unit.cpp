@@ -233,9 +233,9 @@ std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource sou
   return best;
 }
 
-/// Where no word says what is measured: a letter in front of the unit that stands for another quantity, or a
-/// word of a document's own title that the lexicon does not know; empty without any. Of words in recognised
-/// text nothing is said: letters may be wrong.
+/// Returns a name that contradicts force and travel in a title without a word for either: a letter of another
+/// quantity in front of the unit, or a word of a document's own title that the lexicon does not know. Empty
+/// without any. Words in recognised text are ignored, because their letters may be wrong.
 std::string unknownNameIn(const std::string& title, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters of a word
   if (quantityNamedIn(title, source).quantity != Quantity::none) return {};

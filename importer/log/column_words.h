@@ -56,7 +56,8 @@ struct ColumnUnit {
   bool isOfButton() const { return kind == Kind::displacement || kind == Kind::force; }
 };
 
-/// The unit that a whole text is: "mm", "(x0.1 N)", "N/mm²". `unknown` if it is none that this knows, `none` if it is empty.
+/// The unit that a whole text is: "mm", "(x0.1 N)", "N/mm²". `unknown` if it is none that this knows, `none`
+/// if it is empty.
 ColumnUnit unitOf(std::string_view text);
 
 /// The unit at the end of a title, and the title without it.

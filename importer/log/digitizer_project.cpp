@@ -178,7 +178,8 @@ RecordedSwitch switchOf(const TracedSet& press, const TracedSet* release) {
   return one;
 }
 
-/// Two sets of which neither name says a stroke: the lower one is the release, a button takes back less than it was given.
+/// Two sets of which neither name says a stroke: the lower one is the release, a button takes back less than
+/// it was given.
 std::vector<RecordedSwitch> pairOfUnnamed(const std::vector<TracedSet>& sets) {
   const bool inOrder = meanForce(sets[0].points) >= meanForce(sets[1].points);
   RecordedSwitch one = switchOf(sets[inOrder ? 0 : 1], &sets[inOrder ? 1 : 0]);

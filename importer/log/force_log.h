@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The other way in: tables of a force meter, whatever they are kept in. Which columns are what is decided between
-// interpretations (interpret_columns.h). JSON and projects that keep strokes apart: recorded_switches.h.
+// The other way in: tables of a force meter, whatever they are kept in. Which columns are what is decided
+// between interpretations (interpret_columns.h). JSON and projects that keep strokes apart:
+// recorded_switches.h.
 
 #include <map>
 #include <string>
@@ -28,8 +29,8 @@ struct LogHints {
   std::string releasePath = {};  ///< a second file, of the release alone; empty: none
 };
 
-/// Speed of a recorded stroke: the mean from 10 to 90 % of the travel, and the ratio of the faster half of that
-/// to the slower one.
+/// Speed of a recorded stroke: the mean from 10 to 90 % of the travel, and the ratio of the faster half of
+/// that to the slower one.
 struct StrokeSpeed {
   double mean_mm_per_s = 0;  ///< > 0
   double uneven = 1;         ///< >= 1
@@ -64,7 +65,8 @@ struct LogReading {
       {};  ///< where `log` is a Failure notCertain; its choices are not tried here
 };
 
-/// Returns true if a file is a table, a spreadsheet, JSON or TAR by its content; by its ending where it cannot be read.
+/// Returns true if a file is a table, a spreadsheet, JSON or TAR by its content; by its ending where it
+/// cannot be read.
 bool isForceLogPath(const std::string& path);
 
 LogReading readLog(const std::string& path, const LogHints& hints = {}, const Progress& progress = {});
@@ -73,14 +75,15 @@ LogReading readLog(const std::string& path, const LogHints& hints = {}, const Pr
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {},
                               const Progress& progress = {});
 
-/// The files of releases by those of the presses that they belong to: in one folder, named alike but for the word of the stroke
-/// ("NAME.downstroke.csv", "NAME.upstroke.csv").
+/// The files of releases by those of the presses that they belong to: in one folder, named alike but for the
+/// word of the stroke ("NAME.downstroke.csv", "NAME.upstroke.csv").
 std::map<std::string, std::string> pairedFiles(const std::vector<std::string>& paths);
 
 /// A path without the word of a stroke that stands at the end of its name; as it is where none does.
 std::string withoutStrokeWord(const std::string& path);
 
-/// Names of the records of a file, as `curve` takes their numbers; empty ones where it gives none, none where it is no log.
+/// Names of the records of a file, as `curve` takes their numbers; empty ones where it gives none, none where
+/// it is no log.
 std::vector<std::string> recordNames(const std::string& path);
 
 }  // namespace detent::importer

@@ -106,7 +106,8 @@ class RecordFormer {
     return high > low;
   }
 
-  /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single outliers have no say.
+  /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single
+  /// outliers have no say.
   void settleSigns(std::vector<std::vector<Sample>>& runs) {
     std::vector<CurvePoint> calm;
     constexpr std::size_t handful = 16;  // rows written by hand or thinned out: each of them counts
@@ -127,7 +128,8 @@ class RecordFormer {
     for (const CurvePoint& p : calm)
       together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
     const double sign = made_.forcesTurned ? -1 : 1;
-    // A dome that collapses has most of its force in the first half of its travel: only what ends softer than it began runs backwards.
+    // A dome that collapses has most of its force in the first half of its travel: only what ends softer than
+    // it began runs backwards.
     made_.displacementTurned = sign * together < 0 && sign * forceAtEnds(calm) < 0;
     for (auto& run : runs)
       for (Sample& each : run) {
@@ -224,7 +226,8 @@ class RecordFormer {
     return cuts;
   }
 
-  /// A column whose cells say press or release, in words or as a number that changes where the displacement turns.
+  /// A column whose cells say press or release, in words or as a number that changes where the displacement
+  /// turns.
   void labelRows(Cuts& cuts, const std::vector<Sample>& run) {
     for (std::size_t c = 0; c < data_.columns.size(); ++c) {
       const DataColumn& column = data_.columns[c];
@@ -325,7 +328,8 @@ class RecordFormer {
     const auto labelOf = [&](std::size_t i) {
       return cuts.strokeOfRow.empty() ? std::nullopt : cuts.strokeOfRow[run[i].row];
     };
-    // The cells of an index column say nothing; a jump against the way before and after it begins a new record.
+    // The cells of an index column say nothing; a jump against the way before and after it begins a new
+    // record.
     const auto isJump = [&](std::size_t i) {
       constexpr double leastShare = 0.5;
       const double step = x[i] - x[i - 1];
@@ -501,8 +505,8 @@ TableLack formRecords(const RecordRequest& request, LogInterpretation& made) {
 
 namespace {
 
-/// Returns true if the points scatter around their local line like two values rather than like noise: their distances from it
-/// are alike.
+/// Returns true if the points scatter around their local line like two values rather than like noise: their
+/// distances from it are alike.
 bool liesOnTwoCurves(const std::vector<CurvePoint>& points) {
   constexpr std::size_t window = 8;  // points
   double sum = 0, windows = 0;

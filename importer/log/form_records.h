@@ -18,8 +18,8 @@ struct RecordRequest {
   bool eitherStroke = false;  ///< a file of one stroke: what it holds stands as the press
 };
 
-/// Fills in the records of an interpretation whose columns and units are settled, and adds what the cuts say for it.
-/// TableLack::none: there is at least one record, each with a press of two samples or more.
+/// Fills in the records of an interpretation whose columns and units are settled, and adds what the cuts say
+/// for it. TableLack::none: there is at least one record, each with a press of two samples or more.
 TableLack formRecords(const RecordRequest& request, LogInterpretation& made);
 
 /// The stroke that a text names; nullopt: none, or both.
@@ -32,7 +32,8 @@ struct StrokeName {
 };
 StrokeName strokeNameOf(std::string_view name);
 
-/// Press and release of points that stand sorted by displacement, as digitizers export a loop: the force goes to and fro.
+/// Press and release of points that stand sorted by displacement, as digitizers export a loop: the force goes
+/// to and fro.
 bool holdsSortedLoop(const std::vector<CurvePoint>& points);
 
 }  // namespace detent::importer

@@ -180,7 +180,8 @@ class Interpreter {
         all, [&](std::size_t c) { return (force ? column(c).force : column(c).displacement) >= kNamed; });
   }
 
-  /// Volts, counts: what a load cell gives before it is calibrated. A compound unit or a pressure is another quantity.
+  /// Volts, counts: what a load cell gives before it is calibrated. A compound unit or a pressure is another
+  /// quantity.
   static bool isForceInOtherUnit(const DataColumn& each) {
     const std::string& unit = each.unit.text;
     return !each.isText && !each.isConstant() && each.quantity == ColumnQuantity::force &&
@@ -258,8 +259,8 @@ class Interpreter {
     if (!givenF_) dropCopies(fs_, true);
   }
 
-  /// Leaves out what is a second form of another column: the same in another unit, peak hold, filtered, bounds around a mean,
-  /// parts of a total, an axis that stands still.
+  /// Leaves out what is a second form of another column: the same in another unit, peak hold, filtered,
+  /// bounds around a mean, parts of a total, an axis that stands still.
   void dropCopies(Columns& all, bool force) {
     const auto strokeOf = [&](std::size_t c) { return columnStroke(c); };
     const auto erase = [&](auto is) {
@@ -304,7 +305,8 @@ class Interpreter {
     all = kept;
   }
 
-  /// The stroke that the words of a column name; words that name quantities too count only beside another stroke's.
+  /// The stroke that the words of a column name; words that name quantities too count only beside another
+  /// stroke's.
   std::optional<Stroke> columnStroke(std::size_t c) const {
     const auto in = [](const KnownWords& known) -> std::optional<Stroke> {
       std::optional<Stroke> weak;
@@ -437,7 +439,8 @@ class Interpreter {
     arrangeBeside();
   }
 
-  /// Columns titled by conditions or specimens are the forces of as many records, where none is called a force.
+  /// Columns titled by conditions or specimens are the forces of as many records, where none is called a
+  /// force.
   void findRecordColumns() {
     Columns records, others;
     for (const std::size_t c : fs_)
@@ -649,7 +652,8 @@ ColumnReading interpretColumns(const Table& table, const DataTable& data, const 
 }
 
 std::vector<AssumedUnit> possibleUnits(bool force) {
-  // Log-likelihoods of units where a table says none, against the commonest: prudent, for nobody has counted them.
+  // Log-likelihoods of units where a table says none, against the commonest: prudent, for nobody has counted
+  // them.
   constexpr double seldom = -1.5, rare = -2, oddest = -2.5;
   std::vector<AssumedUnit> all;
   if (force)
@@ -674,7 +678,8 @@ Evidence unitEvidence(const LogRecord& record, const AssumedUnit& x, const Assum
   Evidence evidence;
   const auto [low, high] = std::ranges::minmax(record.press, {}, &CurvePoint::displacement_mm);
   const double highest = std::ranges::max_element(record.press, {}, &CurvePoint::force_N)->force_N;
-  // Of 154 presses of keyboards, tact switches, domes and industrial buttons: log-normal, with wider tails than counted.
+  // Of 154 presses of keyboards, tact switches, domes and industrial buttons: log-normal, with wider tails
+  // than counted.
   constexpr double usualTravel_mm = 2.6, travelSpread = 0.8;
   constexpr double usualForce_N = 1.8, forceSpread = 1.1;  // spreads: of the logarithm
   const auto judge = [&](const char* name, const char* unit, double value, double usual, double spread) {

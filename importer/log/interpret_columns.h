@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which columns of a table are what: every assignment that the titles, units and values leave open, with its evidence.
+// Which columns of a table are what: every assignment that the titles, units and values leave open, with its
+// evidence.
 
 #include <optional>
 #include <string>
@@ -28,8 +29,8 @@ std::vector<AssumedUnit> possibleUnits(bool force);
 /// Log-likelihood of units, given a button's travel and highest force. `record` has the units of the file.
 Evidence unitEvidence(const LogRecord& record, const AssumedUnit& x, const AssumedUnit& y);
 
-/// Difference of two records: mean distance of their strokes along force, as a share of the first's force span; 1 where
-/// one has a stroke that the other has not, or their travels differ by more than a tenth.
+/// Difference of two records: mean distance of their strokes along force, as a share of the first's force
+/// span; 1 where one has a stroke that the other has not, or their travels differ by more than a tenth.
 double differenceOf(const LogRecord& a, const LogRecord& b);
 
 /// The records' mean, place by place; strokes that all have.

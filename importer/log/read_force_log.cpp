@@ -38,7 +38,8 @@ void halve(std::vector<CurvePoint>& samples) {
   samples.resize(samples.size() / 2);
 }
 
-/// JSON whose records are objects with numbers, or lists of numbers under names, as a table. nullopt: it is neither.
+/// JSON whose records are objects with numbers, or lists of numbers under names, as a table. nullopt: it is
+/// neither.
 std::optional<Table> tableOfJson(const nlohmann::json& json) {
   Table table;
   const auto unitIn = [&](const std::string& key) -> std::string {
@@ -712,7 +713,8 @@ class LogReader {
       log_.noise_mm = std::max(log_.noise_mm, noiseOf(x, digit_mm));
       log_.noise_N = std::max(log_.noise_N, noiseOf(f, digit_N));
     }
-    // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far below any.
+    // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far
+    // below any.
     const double travel = std::abs(press.back().displacement_mm - press.front().displacement_mm);
     constexpr double least = std::numeric_limits<double>::min();
     log_.noise_mm = std::max({log_.noise_mm, 1e-6 * travel, least});
@@ -898,8 +900,8 @@ class LogReader {
 
   // -- confidence -----------------------------------------------------------------------------------------------
 
-  /// The margins to other readings that give a different button, and to its being no log, which has no evidence; and the
-  /// question that parts the best two.
+  /// The margins to other readings that give a different button, and to its being no log, which has no
+  /// evidence; and the question that parts the best two.
   void rate(const FileRecords& found) {
     std::vector<double> margins;
     if (found.best.empty()) {

@@ -25,7 +25,8 @@ struct SheetColumn {
   std::vector<double> values;  ///< NaN where a cell holds no number
 };
 
-/// Three numbers or more, not more texts than numbers, and no word of a force: headings may have results of the measurement beside them.
+/// Three numbers or more, not more texts than numbers, and no word of a force: headings may have results of
+/// the measurement beside them.
 bool isOfNumbers(const Table& sheet, std::size_t row) {
   constexpr int leastNumbers = 3;
   int numbers = 0, texts = 0;
@@ -159,8 +160,8 @@ std::vector<CurvePoint> pointsOf(const std::vector<SheetColumn>& sheet, const St
   return points;
 }
 
-/// Travel where the contact closes (press) or opens (release), the middle of the two samples between which it does; empty where
-/// it does neither.
+/// Travel where the contact closes (press) or opens (release), the middle of the two samples between which it
+/// does; empty where it does neither.
 std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const StrokeColumns& stroke) {
   if (!stroke.contact) return {};
   const double wanted = stroke.stroke == Stroke::press ? 1 : 0;
@@ -177,7 +178,8 @@ std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const Str
   return {};
 }
 
-/// Of runs of one name the last: a sheet has what the meter wrote first, and beside it what was made of it. None where one has no name.
+/// Of runs of one name the last: a sheet has what the meter wrote first, and beside it what was made of it.
+/// None where one has no name.
 std::vector<RecordedSwitch> lastOfEachName(std::vector<RecordedSwitch> runs) {
   std::vector<RecordedSwitch> last;
   for (RecordedSwitch& run : runs) {
@@ -188,7 +190,8 @@ std::vector<RecordedSwitch> lastOfEachName(std::vector<RecordedSwitch> runs) {
   return last;
 }
 
-/// Of a sheet whose strokes were never filled in, what the meter wrote: one run, or several that titles tell apart (of springs, say).
+/// Of a sheet whose strokes were never filled in, what the meter wrote: one run, or several that titles tell
+/// apart (of springs, say).
 std::vector<RecordedSwitch> rawRunsOf(const std::vector<SheetColumn>& sheet,
                                       const std::vector<NamedColumn>& columns) {
   std::vector<RecordedSwitch> runs;

@@ -20,7 +20,8 @@ constexpr std::size_t kMostUnpacked_bytes = std::size_t{64} << 20;
 constexpr std::size_t kMostSheetColumns = 256, kMostSheetRows = std::size_t{1} << 20;
 constexpr std::size_t kMostSheets = 64;
 
-/// libzip, loaded when the first spreadsheet is read: it brings libcrypto, and half of what starting a program costs.
+/// libzip, loaded when the first spreadsheet is read: it brings libcrypto, and half of what starting a
+/// program costs.
 struct Libzip {
   static const Libzip* get() {
     static const Libzip loaded;

@@ -162,8 +162,8 @@ std::string_view withoutQuotes(std::string_view cell) {
   return cell;
 }
 
-/// Splits one logical line (quoted fields may hold line breaks) from `at` on; returns where the next one begins.
-/// `give` gets each cell as it stands.
+/// Splits one logical line (quoted fields may hold line breaks) from `at` on; returns where the next one
+/// begins. `give` gets each cell as it stands.
 template <class Give>
 std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Give give) {
   std::size_t from = at;
@@ -241,8 +241,8 @@ struct Dialect {
   double score = 0;
 };
 
-/// Roughness of a column of numbers: the sum of its second differences over its range. A number misread by a factor of a
-/// thousand makes a step.
+/// Roughness of a column of numbers: the sum of its second differences over its range. A number misread by a
+/// factor of a thousand makes a step.
 double roughnessOf(const std::vector<double>& values) {
   if (values.size() < 4) return 0;
   const auto [low, high] = std::ranges::minmax(values);
@@ -332,7 +332,8 @@ Dialect dialectOf(std::string_view text) {
   return best;
 }
 
-/// Columns between blanks: where titles hold blanks or cells are left empty, they stand over or under their column.
+/// Columns between blanks: where titles hold blanks or cells are left empty, they stand over or under their
+/// column.
 class FixedColumns {
  public:
   FixedColumns(std::string_view text, const Dialect& dialect) : style_(dialect.style) {
@@ -485,8 +486,8 @@ FileContent contentOf(std::string_view bytes) {
 
 namespace {
 
-/// Bytes of a charset that glibc knows as UTF-8; nullopt if they are not of it. A character cut off at the end is
-/// left out.
+/// Bytes of a charset that glibc knows as UTF-8; nullopt if they are not of it. A character cut off at the
+/// end is left out.
 std::optional<std::string> decoded(std::string_view bytes, const char* charset) {
   const iconv_t converter = iconv_open("UTF-8", charset);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the value that iconv_open() states for a failure

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A file as rows of cells, whatever it is kept in: delimited text in any encoding, a spreadsheet, JSON records.
+// A file as rows of cells, whatever it is kept in: delimited text in any encoding, a spreadsheet, JSON
+// records.
 
 #include <cstddef>
 #include <deque>
@@ -63,8 +64,8 @@ class Table {
   std::vector<long> lines_;
 };
 
-/// Text as delimited cells. The delimiter and the number style are those that read most of the file as rows of numbers.
-/// Failure: cancelled; unreadableInput: a line longer than 1 MB.
+/// Text as delimited cells. The delimiter and the number style are those that read most of the file as rows
+/// of numbers. Failure: cancelled; unreadableInput: a line longer than 1 MB.
 Result<Table> tableOfText(std::string text, const std::string& subject, const Progress& progress);
 
 /// The sheets of an xlsx or OpenDocument spreadsheet that hold cells. Formulas give the value that was saved
@@ -79,8 +80,8 @@ std::size_t uncalculatedFormulas(const std::string& bytes);
 enum class FileContent { text, spreadsheet, oldSpreadsheet, tar };
 FileContent contentOf(std::string_view bytes);
 
-/// UTF-8, UTF-16 (with a byte order mark, or recognised by its zero bytes) and, where it is no UTF-8, Windows-1252, as UTF-8.
-/// nullopt: not text.
+/// UTF-8, UTF-16 (with a byte order mark, or recognised by its zero bytes) and, where it is no UTF-8,
+/// Windows-1252, as UTF-8. nullopt: not text.
 std::optional<std::string> utf8From(std::string bytes);
 
 /// Failures of a file.

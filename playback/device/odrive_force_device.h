@@ -40,8 +40,8 @@ class OdriveForceDevice : public ForceDevice {
   ~OdriveForceDevice() override;
 
   /// Only one question is in flight at a time, because an ODrive's answers carry no number. An answer that
-  /// arrives after its period is late, not fresh; while it is missing, nothing else is requested. An answer that
-  /// was not requested is counted as repeated, never used.
+  /// arrives after its period is late, not fresh; while it is missing, nothing else is requested. An answer
+  /// that was not requested is counted as repeated, never used.
   ForceReading exchange(const ForceCommand& command) override;
   std::optional<double> measureRoundTrip_s() override;
   bool setPace(double period_s) override;

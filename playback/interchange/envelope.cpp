@@ -119,7 +119,7 @@ std::vector<EnvelopeStep> stepsOf(const PressPlan& plan, const Stretch& stretch,
                        strongest ? strongest->kind : EventKind::grain, k == 0 && beginsEvent(plan, from)});
     }
   }
-  // Where nothing sounds the frequency stays unchanged, so that there is no sweep before the next burst.
+  // In silence the frequency stays unchanged, so that there is no sweep before the next burst.
   double last_Hz = steps.empty() ? 0 : plan.bursts.front().burst.frequency_Hz;
   for (EnvelopeStep& s : steps) last_Hz = s.frequency_Hz = s.frequency_Hz > 0 ? s.frequency_Hz : last_Hz;
   return steps;

@@ -37,7 +37,7 @@ KeyTables::KeyTables(const ButtonState& state)
   limitSlope(up_N, steepest_N_per_m * cell_m_);
   double stored_J = 0;
   for (std::size_t i = 0; i < down_N.size(); ++i) {
-    // Where strokes cross, the release is set to the press, because a button cannot supply energy.
+    // At crossings of the strokes the release is set to the press, because a button cannot supply energy.
     const double back_N = std::min(down_N[i], up_N[i]);
     const double mean_N = 0.5 * (down_N[i] + back_N);
     if (i > 0) stored_J += 0.5 * (mean_N + cells_.back().mean_N) * cell_m_;

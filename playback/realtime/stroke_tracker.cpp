@@ -195,7 +195,7 @@ void StrokeTracker::advanceByForce(double from_N, double to_N) {
       levelB = lerp(level, levelB, (limit_mm - x) / (xB - x));
       xB = limit_mm;
     }
-    // Where the level exceeds the highest so far, time continues, so the piece is divided there.
+    // If the level exceeds the highest so far, time continues, so the piece is divided there.
     if (levelB > highest && level < highest && xB != x) {
       const double xSplit = lerp(x, xB, (highest - level) / (levelB - level));
       cross({x, xSplit, fractionOf(highest), fractionOf(highest)});

@@ -53,7 +53,8 @@ class StudyPlayer {
   /// Resets every stimulus to its initial state: a self-locking button is unlocked, X as well as the choice
   /// that is the same button.
   virtual void beginTrial() = 0;
-  /// Puts a button under the finger as the trial's stimulus `slot` (TrialController), which keeps its own lock.
+  /// Puts a button under the finger as the trial's stimulus `slot` (TrialController), which keeps its own
+  /// lock.
   virtual void place(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
   /// The same; without a sensor the button is also pressed once, as by a hand.
   virtual void press(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sketches of samples/firmware, compiled with Arduino's AVR core, on simulated boards: docs/reference/force-protocol.md and
-// docs/reference/serial-protocol.md line by line.
+// The sketches of samples/firmware, compiled with Arduino's AVR core, on simulated boards:
+// docs/reference/force-protocol.md and docs/reference/serial-protocol.md line by line.
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,8 @@ struct ForceBoard : SimulatedBoard {
   void turn(int counts, double every_us) {
     for (int i = 0; i < std::abs(counts); ++i) {
       const bool forwards = counts > 0;
-      // B leads by a quarter on the way in, A on the way out: A and B are equal after an edge of A when pressing.
+      // B leads by a quarter on the way in, A on the way out: A and B are equal after an edge of A when
+      // pressing.
       if (forwards) setPin(kind.encoderB, !a_);
       run_us(every_us / 2);
       a_ = !a_;

@@ -30,9 +30,9 @@ struct DesignHelpSettings {
   ConfusionSettings confusion;
 };
 
-/// The least change by each lever that makes the forecast PredictedPair::distinguished(), smallest change first;
-/// empty where none does, or where the two are far enough apart already. `cancelled` empties it, too. About a
-/// second. Failure: as feel().
+/// The least change by each lever that makes the forecast PredictedPair::distinguished(), smallest change
+/// first; empty where none does, or where the two are far enough apart already. `cancelled` empties it, too.
+/// About a second. Failure: as feel().
 Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const Button& other,
                                                     const DesignHelpSettings& settings = {},
                                                     const std::function<bool()>& cancelled = {});

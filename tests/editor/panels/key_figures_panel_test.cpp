@@ -322,7 +322,8 @@ void KeyFiguresPanelTest::eightFiguresComeFirst() {
   QCOMPARE(requested.size(), 1);
 }
 
-// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says why.
+// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says
+// why.
 void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   using enum KeyFigure;
   WorkspaceRig rig(
