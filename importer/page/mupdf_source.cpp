@@ -315,11 +315,16 @@ Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, Lett
 /// Difference in levels between the darkest and the brightest pixel of a box, for the channel where it is
 /// largest.
 int contrastIn(const Raster& picture, const Box& box) {
+  // A damaged drawing puts lines anywhere: a place is cut to the picture before it becomes a whole number.
+  const auto pixelAt = [](double at, int size_px) {
+    return static_cast<int>(std::min<double>(size_px, std::max(0.0, at)));
+  };
+  const int left = pixelAt(box.x0, picture.width_px), top = pixelAt(box.y0, picture.height_px);
   int most = 0;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     int darkest = 255, brightest = 0;
-    for (int y = std::max(0, static_cast<int>(box.y0)); y <= box.y1 && y < picture.height_px; ++y)
-      for (int x = std::max(0, static_cast<int>(box.x0)); x <= box.x1 && x < picture.width_px; ++x) {
+    for (int y = top; y <= box.y1 && y < picture.height_px; ++y)
+      for (int x = left; x <= box.x1 && x < picture.width_px; ++x) {
         const int level = picture.at(x, y)[channel];
         darkest = std::min(darkest, level);
         brightest = std::max(brightest, level);
