@@ -299,9 +299,9 @@ void PressPad::paintDepth(QPainter& painter) const {
   const DisplayUnits& units = settings_.units();
   const QRectF label(x + 14, area.top() - 8, side_px - 20, 16);
   // A curve that was read off a page starts a little beside zero.
-  const double step_mm = button_->end_mm / 1000;
+  const bool startsAtZero = std::abs(button_->start_mm) < button_->end_mm / 2000;
   painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter,
-                   numberText(units.lengthFrom(step_mm * std::round(button_->start_mm / step_mm)), 3));
+                   numberText(units.lengthFrom(startsAtZero ? 0 : button_->start_mm), 3));
   painter.drawText(label.translated(0, area.height()), Qt::AlignLeft | Qt::AlignVCenter,
                    numberText(units.lengthFrom(button_->end_mm), 3));
 }
