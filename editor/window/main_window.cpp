@@ -710,8 +710,9 @@ void MainWindow::showEvent(QShowEvent* event) {
   if (!docksAway_) QTimer::singleShot(0, this, &MainWindow::sizeDocks);
 }
 
-// Qt forgets the width of docks that were hidden.
+// Qt forgets the width of docks that were hidden. A layout that is still due would undo what is set here.
 void MainWindow::sizeDocks() {
+  layout()->activate();
   if (std::exchange(docksAreNew_, false)) {
     inspector_px_ = std::min(firstInspector_px, static_cast<int>(mostForInspector * width()));
     resizeDocks({libraryDock_}, {firstLibrary_px}, Qt::Horizontal);
