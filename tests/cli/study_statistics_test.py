@@ -4,9 +4,10 @@
 
     study_statistics_test.py --detent-play BIN --samples DIR
 
-Simulated ABX (two modes), matching, rating and threshold studies of seven people. Exact figures agree within TOLERANCE: counts, Wilson's
-and Clopper-Pearson's intervals, tests against guessing and by sign flips, Holm, d' by both models, Student's intervals. Resampled
-intervals agree with all 7 ** 7 resamples within what the product's finite number of resamples leaves open.
+Simulated ABX (two modes), matching, rating (all three scales) and threshold studies of seven people. Exact figures agree within
+TOLERANCE: counts, Wilson's and Clopper-Pearson's intervals, tests against guessing and by sign flips, Holm, d' by both models,
+Student's intervals, Bradley-Terry's scores with their sandwich. Resampled intervals agree with all 7 ** 7 resamples within what the
+product's finite number of resamples leaves open, thresholds with a posterior on a finer grid within what the product's grid does.
 """
 
 import argparse
@@ -23,7 +24,9 @@ import numpy
 from scipy import optimize, stats
 
 TOLERANCE = 1e-9
+FITTED = 1e-6  # of a score that two optimisers have found
 RESAMPLED = 0.02  # of a rate; the rates of seven people's resamples lie about 0.005 apart
+GRIDDED = 0.01  # of a threshold
 
 ARGUMENTS = None
 PEOPLE = [f"P0{i}" for i in range(1, 8)]
@@ -85,6 +88,38 @@ def student(values, log=False):
     half = stats.t.ppf(0.975, len(values) - 1) * values.std(ddof=1) / len(values) ** 0.5
     ends = [values.mean(), values.mean() - half, values.mean() + half]
     return numpy.exp(ends) if log else ends
+
+
+def bradley_terry(choices, people, things):
+    """Scores with half a choice added either way per pair, and half their 95 % intervals: sandwich over persons, Student."""
+    pairs = list(itertools.combinations(range(things), 2))
+    weighed = [(1, winner, loser) for _, winner, loser in choices] + [(0.5, *p) for a, b in pairs for p in ((a, b), (b, a))]
+    loss = lambda s: sum(n * numpy.log1p(numpy.exp(s[loser] - s[winner])) for n, winner, loser in weighed) + s.mean() ** 2
+    s = optimize.minimize(loss, numpy.zeros(things), method="BFGS", options={"gtol": 1e-10}).x
+    preferred = lambda a, b: 1 / (1 + numpy.exp(s[b] - s[a]))
+    hessian, gradients = numpy.zeros((things, things)), numpy.zeros((people, things))
+    for n, a, b in weighed:
+        hessian[numpy.ix_((a, b), (a, b))] += n * preferred(a, b) * preferred(b, a) * numpy.array([[1, -1], [-1, 1]])
+    for person, winner, loser in choices:
+        gradients[person, [winner, loser]] += preferred(loser, winner) * numpy.array([1, -1])
+    inverse = numpy.linalg.pinv(hessian)
+    covariance = inverse @ gradients.T @ gradients @ inverse * people / (people - 1)
+    return s, stats.t.ppf(0.975, people - 1) * numpy.sqrt(numpy.diag(covariance))
+
+
+def threshold(levels, answers):
+    """Median and 95 % credible interval of the prior and the psychometric function that docs/guide/studies.md names."""
+    half_step = 150 ** (1 / 160)  # the prior's 81 thresholds of 1 to 150 % represent the range around them
+    grid = numpy.geomspace(0.01 / half_step, 1.5 * half_step, 5001)
+    belief = numpy.zeros_like(grid)
+    for slope, lapse in itertools.product((1, 1.4, 2, 2.8, 4), (0, 0.02, 0.05)):
+        likelihood = numpy.ones_like(grid)
+        for level, right in zip(levels, answers):
+            share = 0.5 + (0.5 - lapse) * (1 - 2 ** -((level / grid) ** slope))
+            likelihood *= share if right else 1 - share
+        belief += likelihood
+    below = numpy.concatenate(([0], numpy.cumsum((belief[1:] + belief[:-1]) / 2)))
+    return [numpy.exp(numpy.interp(share, below / below[-1], numpy.log(grid))) for share in (0.5, 0.025, 0.975)]
 
 
 class StudyStatistics(unittest.TestCase):
@@ -203,9 +238,46 @@ class StudyStatistics(unittest.TestCase):
         self.near([order[0][k] for k in ("higher_percent", "p", "low_percent", "high_percent")],
                   [50 + 100 * mean, p, *(50 + 100 * e for e in interval)])
 
+    def test_magnitude(self):
+        report, rows = self.study("errors=0.3", "ABC", "--kind", "rating", "--scale", "magnitude", "--trials", 4)
+        given = {(x, b): numpy.log([float(r["rating"]) for r in rows if (r["participant"], r["pair"]) == (x, b)]).mean()
+                 for x in PEOPLE for b in "ABC"}
+        of_person = {x: numpy.mean([given[x, b] for b in "ABC"]) for x in PEOPLE}
+        of_all = numpy.mean(list(of_person.values()))
+        ratings, differences = (t["rows"] for t in report["tables"])
+        for row in ratings:
+            scaled = [given[x, row["button"]] - of_person[x] + of_all for x in PEOPLE]
+            self.near([row[k] for k in ("value", "low", "high")], student(numpy.exp(scaled), log=True))
+        self.assertEqual(len(differences), 3)
+        for row in differences:
+            mean, p, interval = sign_flips([given[x, row["first"]] - given[x, row["second"]] for x in PEOPLE])
+            self.near([row[k] for k in ("difference", "p", "low", "high")], [numpy.exp(mean), p, *numpy.exp(interval)])
+        self.near([row["p_holm"] for row in differences], holm([row["p"] for row in differences]))
+
+    def test_pairwise(self):
+        report, rows = self.study("errors=0.3", "ABC", "--kind", "rating", "--scale", "pairwise", "--trials", 4)
+        choices = [(PEOPLE.index(row["participant"]), row["answer"], row["pair"].replace(row["answer"], "").strip("-")) for row in rows]
+        ratings, differences = (t["rows"] for t in report["tables"])
+        scores, half = bradley_terry([(x, "ABC".index(w), "ABC".index(l)) for x, w, l in choices], len(PEOPLE), 3)
+        for row, score, error in zip(ratings, scores - scores.mean(), half, strict=True):
+            self.near([row[k] for k in ("value", "low", "high")], [score, score - error, score + error], FITTED)
+        self.assertEqual(len(differences), 3)
+        for row in differences:
+            pair = {row["first"], row["second"]}
+            of_pair = [[w == row["first"] for x, w, l in choices if x == person and {w, l} == pair] for person in range(len(PEOPLE))]
+            mean, p, interval = sign_flips([numpy.mean(chosen) - 0.5 for chosen in of_pair])
+            self.near([row[k] for k in ("difference", "p", "low", "high")], [50 + 100 * mean, p, *(50 + 100 * e for e in interval)])
+        self.near([row["p_holm"] for row in differences], holm([row["p"] for row in differences]))
+
     def test_threshold(self):
-        report, _ = self.study("errors=0.3", "B", "--kind", "threshold", "--trials", 40)
+        report, rows = self.study("errors=0.3", "B", "--kind", "threshold", "--trials", 40)
         persons, over = (t["rows"] for t in report["tables"])
+        self.assertEqual([row["participant"] for row in persons], PEOPLE)
+        for row in persons:
+            answered = [(float(r["level"]), r["correct"] == "1") for r in rows if r["participant"] == row["participant"]]
+            self.assertEqual((row["right"], row["trials"]), (sum(right for _, right in answered), len(answered)))
+            self.near(numpy.array([row[k] for k in ("threshold_percent", "low_percent", "high_percent")]) / 100,
+                      threshold(*zip(*answered)), GRIDDED)
         self.near([over[0][k] for k in ("threshold_percent", "low_percent", "high_percent")],
                   student([row["threshold_percent"] for row in persons], log=True))
 

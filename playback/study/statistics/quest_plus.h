@@ -30,8 +30,9 @@ struct ThresholdEstimate {
 /// unit; `lapse` is the share of answers that are wrong whatever the difference.
 double shareCorrect(double difference, double threshold, double slope, double lapse);
 
-/// QUEST+'s posterior after some answers. The prior is uniform over all thresholds from the smallest level to
-/// 1.5 times the largest on a log scale, over slopes of 1, 1.4, 2, 2.8, 4, and over lapses of 0, 2, 5 %.
+/// QUEST+'s posterior after some answers. The prior is uniform over 81 thresholds from the smallest level to
+/// 1.5 times the largest in equal steps of a log scale, each of which represents the step around it, over
+/// slopes of 1, 1.4, 2, 2.8, 4, and over lapses of 0, 2, 5 %.
 class QuestPlus {
  public:
   /// `levels`: differences, > 0, increasing, at least two.
