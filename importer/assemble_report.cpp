@@ -123,15 +123,17 @@ Remedies giveAxes() {
           {RemedyKind::giveFrame, "if the frame was missed"}};
 }
 
-/// The doubt about the axes with its remedies. If both ranges were given, only a unit or the frame can still
-/// be wrong.
+/// The doubt about the axes with its remedies. An axis that measures something else is named whatever else is
+/// uncertain. If both ranges were given, only a unit or the frame can still be wrong.
 Doubt axesInDoubt(const GraphFindings& findings, const std::vector<WeighedDoubt>& doubts) {
   const auto& calibration = findings.graph.axes.calibration;
   const bool given = calibration.by == DecidedBy::given;
-  const auto unit = std::find_if(doubts.begin(), doubts.end(), [](const WeighedDoubt& each) {
-    return each.doubt.code == DoubtCode::unitMissing || each.doubt.code == DoubtCode::otherQuantity;
+  const auto stated = std::ranges::find_if(doubts, [&](const WeighedDoubt& each) {
+    const DoubtCode code = each.doubt.code;
+    return code == DoubtCode::otherQuantity || code == DoubtCode::axesExchanged ||
+           (given && code == DoubtCode::unitMissing);
   });
-  if (given && unit != doubts.end()) return unit->doubt;
+  if (stated != doubts.end()) return stated->doubt;
   return {DoubtCode::axesUncertain,
           {messagesOf(calibration.evidence)},
           given ? Remedies{{RemedyKind::giveFrame, "if the frame was missed"}} : giveAxes()};

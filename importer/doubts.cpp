@@ -121,21 +121,22 @@ std::array<int, 2> timesOver(const std::vector<double>& ofPress, const std::vect
   };
   const auto between = [](std::size_t a, std::size_t b) { return static_cast<double>(b - a); };
   std::array<int, 2> times{};
-  std::optional<std::size_t> lastApart, first;  // column where they were apart; where they came together
-  std::size_t last = 0;                         // where they were together
+  const std::size_t none = ofPress.size();
+  std::size_t lastApart = none, first = none;  // column where they were apart; where they came together
+  std::size_t last = 0;                        // where they were together
   for (std::size_t x = 0; x < ofPress.size(); ++x) {
     const double apart_px = std::abs(ofPress[x] - ofRelease[x]);
-    if (std::isnan(apart_px)) lastApart.reset(), first.reset();
+    if (std::isnan(apart_px)) lastApart = first = none;
     if (apart_px <= together_px) {
-      if (!first) first = x;
+      if (first == none) first = x;
       last = x;
     }
     if (!(apart_px >= least.height * height_px)) continue;
-    const bool isOver = lastApart && first && between(*lastApart, *first) <= aside &&
-                        between(last, x) <= aside && between(*first, last) >= least.leastAlong * columns;
-    if (isOver && pressSteps(*lastApart, *first) == pressSteps(last, x)) ++times[pressSteps(last, x) ? 1 : 0];
+    const bool isOver = lastApart != none && first != none && between(lastApart, first) <= aside &&
+                        between(last, x) <= aside && between(first, last) >= least.leastAlong * columns;
+    if (isOver && pressSteps(lastApart, first) == pressSteps(last, x)) ++times[pressSteps(last, x) ? 1 : 0];
     lastApart = x;
-    first.reset();
+    first = none;
   }
   return times;
 }
@@ -357,6 +358,8 @@ class Doubts {
 
   std::vector<WeighedDoubt> all() {
     units();
+    givenAgainstLabels("x", axes().x);
+    givenAgainstLabels("y", axes().y);
     sizes();
     signs();
     shapes();
@@ -393,6 +396,20 @@ class Doubts {
     if (axis.otherQuantity.empty() && !settled)
       add(DoubtCode::unitMissing, unconfirmed, {force ? "y" : "x", axis.unit},
           force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit);
+  }
+
+  const AxisCalibration& axes() const { return findings_.graph.axes.calibration.value; }
+
+  /// Doubts given ends that contradict the printed numbers: one of the two is wrong. Numbers that would not
+  /// be believed without the given ends are only reported.
+  void givenAgainstLabels(const char* name, const AxisReading& axis) {
+    if (axis.contradicting.empty()) return;
+    std::string labels;
+    for (const std::string& each : axis.contradicting) labels += (labels.empty() ? "" : ", ") + each;
+    add(DoubtCode::givenAgainstLabels, axis.contradictedBy >= confidenceBar ? unconfirmed : inPart,
+        {name, labels},
+        {{RemedyKind::advice, Message("Correct the given values, or give none so that the numbers count")},
+         {RemedyKind::acceptAsIs, "if the numbers are misprinted"}});
   }
 
   void sizes() {
@@ -682,9 +699,16 @@ class Doubts {
     const bool settled =
         curvesChosen && !(right == RightScale::otherForces && findings_.strokes.value.release);
     if (right != RightScale::none && !settled && !otherScaleHasItsCurve())
-      add(DoubtCode::otherScale, unconfirmed, {},
-          {{RemedyKind::pickPress, {}},
-           {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
+      add(DoubtCode::otherScale, unconfirmed, {}, ofLeftScale(hints_.trace.pressColor.has_value()));
+  }
+
+  /// Remedies for a second scale. If a colour was given for both strokes, one of them may be drawn on that
+  /// scale, and drawing it again changes nothing.
+  static Remedies ofLeftScale(bool isChosen) {
+    if (isChosen)
+      return Message("Pick the press on the left scale and no release if that is drawn on the right scale");
+    return {{RemedyKind::pickPress, {}},
+            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}};
   }
 
   /// Returns true if another curve was excluded that belongs to the second scale: the legend names it after

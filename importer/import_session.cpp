@@ -188,6 +188,21 @@ std::optional<Failure> stillFalling(const LocatedGraph& graph, const AxisHints& 
                    "plot frame", Message("%1 axis", x ? "x" : "y"));
 }
 
+/// The reason why no button can be read from a graph with these axes: they are exchanged, unevenly divided, or
+/// measure something else, and no unit was given for them. Curves, units and ends need not be known for it.
+std::optional<Failure> ofOtherQuantities(const LocatedGraph& graph) {
+  const std::vector<Doubt> doubts = otherQuantitiesOf(graph.axes.calibration.value);
+  if (doubts.empty()) return {};
+  return failureOf(doubts.front(), {}, "plot frame");
+}
+
+/// The reason why curves make no pair: with a second scale on the right it is that scale.
+Failure ofTwoScales(const Failure& noPair, const LocatedGraph& graph) {
+  if (noPair.reason != nameOf(DoubtCode::tooManyCurves) || graph.axes.rightScale == RightScale::none)
+    return noPair;
+  return failureOf({DoubtCode::otherScale, {}, noPair.remedies}, noPair.subject, noPair.place);
+}
+
 /// Axes of one graph: as found in the search of the page, and as read with the present hints.
 struct AxesReading {
   AxisHints hints;
@@ -855,6 +870,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
   letViewsGo(&choice->asRead());
   makeReady(*choice, progress);
   const LocatedGraph& graph = choice->located();
+  if (auto other = ofOtherQuantities(graph)) return stopped(*other, *choice, {}, {});
   if (auto falling = stillFalling(graph, request.hints.axes)) return stopped(*falling, *choice, {}, {});
 
   step(0.5, ImportStep::trace);
@@ -878,7 +894,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
     curves = &wider->curves;
     strokes = std::move(wider->strokes);
   }
-  if (!strokes) return stopped(strokes.failure(), *choice, **curves, explanation);
+  if (!strokes) return stopped(ofTwoScales(strokes.failure(), graph), *choice, **curves, explanation);
   if (request.timeLimit && request.timeLimit->passed()) settings = cutShort(settings);
 
   step(0.75, ImportStep::refine);

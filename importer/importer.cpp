@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/importer.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "importer/axes/read_text.h"
@@ -68,7 +69,11 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints) {
   Remedies left = remedies.without([&](RemedyKind kind) { return isGiven(hints, kind); });
   if (!left.empty() || remedies.empty()) return left;
-  if (hints.drawn.press.empty()) return RemedyKind::drawPress;
+  const bool ofAxes = std::ranges::all_of(remedies, [](const Remedy& remedy) {
+    return remedy.kind == RemedyKind::giveXAxis || remedy.kind == RemedyKind::giveYAxis ||
+           remedy.kind == RemedyKind::giveXUnit || remedy.kind == RemedyKind::giveYUnit;
+  });
+  if (!ofAxes && hints.drawn.press.empty()) return RemedyKind::drawPress;
   return Remedy{RemedyKind::acceptAsIs, "where the overlay shows that it is right"};
 }
 

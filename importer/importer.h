@@ -57,7 +57,8 @@ struct ImportHints {
 };
 
 /// Remedies that the user has not supplied yet. A remedy that was supplied and did not remove the doubt is
-/// not offered again. If none is left: drawing the strokes by hand, then accepting the doubt.
+/// not offered again. If none is left: drawing the strokes by hand, unless only axes can help, then
+/// accepting the doubt.
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
 
 /// Default of ImportRequest::sure: an import with less confidence fails with notCertain (exit code 5) and the

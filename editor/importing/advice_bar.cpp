@@ -13,10 +13,22 @@ namespace {
 
 constexpr int columns = 4;  // of buttons
 
+void removeAll(QGridLayout& buttons) {
+  while (QLayoutItem* item = buttons.takeAt(0)) {
+    if (item->widget()) item->widget()->deleteLater();
+    delete item;
+  }
+}
+
 }  // namespace
 
 AdviceBar::AdviceBar(QWidget* parent)
-    : QFrame(parent), mark_(new QLabel), words_(new QLabel), buttons_(new QGridLayout) {
+    : QFrame(parent),
+      mark_(new QLabel),
+      words_(new QLabel),
+      question_(new QLabel),
+      units_(new QGridLayout),
+      buttons_(new QGridLayout) {
   setObjectName(QStringLiteral("adviceBar"));
   setAccessibleName(tr("Message about the import"));
   setFrameShape(QFrame::StyledPanel);
@@ -29,8 +41,12 @@ AdviceBar::AdviceBar(QWidget* parent)
   words_->setTextFormat(Qt::RichText);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   column->addWidget(words_);
-  column->addLayout(buttons_);
-  buttons_->setColumnStretch(columns, 1);
+  question_->setWordWrap(true);
+  column->addWidget(question_);
+  for (QGridLayout* each : {units_, buttons_}) {
+    column->addLayout(each);
+    each->setColumnStretch(columns, 1);
+  }
   row->addLayout(column, 1);
   hide();
 }
@@ -53,24 +69,24 @@ void AdviceBar::say(Tone tone, const Advice& advice) {
                                                   : (dark ? "#24384a" : "#e8f2fb");
   colors.setColor(QPalette::Window, background);
   setPalette(colors);
-  while (QLayoutItem* item = buttons_->takeAt(0)) {
-    if (item->widget()) item->widget()->deleteLater();
-    delete item;
-  }
+  removeAll(*units_);
+  removeAll(*buttons_);
   addButtons(advice.remedies);
   show();
 }
 
 // Of the units of both axes one is requested at a time; its answer leads to the next question.
 void AdviceBar::addButtons(const std::vector<RemedyKind>& remedies) {
-  row_ = column_ = 0;
+  unit_ = button_ = 0;
   const auto isUnit = [](RemedyKind remedy) {
     return remedy == RemedyKind::giveXUnit || remedy == RemedyKind::giveYUnit;
   };
   const auto unit = std::ranges::find_if(remedies, isUnit);
-  if (unit != remedies.end()) *unit == RemedyKind::giveXUnit ? addLengthUnits() : addForceUnits();
-  row_ += (column_ + columns - 1) / columns;
-  column_ = 0;
+  question_->setVisible(unit != remedies.end());
+  if (unit != remedies.end()) {
+    *unit == RemedyKind::giveXUnit ? addLengthUnits() : addForceUnits();
+    addNoUnit(*unit);
+  }
   QStringList made;
   for (const RemedyKind remedy : remedies) {
     const QString name = textOnButton(remedy);
@@ -83,30 +99,42 @@ void AdviceBar::addButtons(const std::vector<RemedyKind>& remedies) {
 QPushButton* AdviceBar::addButton(const QString& text) {
   auto* button = new QPushButton(text);
   button->setAutoDefault(false);
-  buttons_->addWidget(button, row_ + column_ / columns, column_ % columns, Qt::AlignLeft);
-  ++column_;
+  buttons_->addWidget(button, button_ / columns, button_ % columns, Qt::AlignLeft);
+  ++button_;
   return button;
 }
 
-void AdviceBar::addQuestion(const QString& question) {
-  buttons_->addWidget(new QLabel(question), row_++, 0, 1, -1);
+QPushButton* AdviceBar::addUnit(const QString& symbol, const char* name) {
+  auto* button = new QPushButton(symbol);
+  button->setObjectName(QLatin1String(name) + symbol);
+  button->setAutoDefault(false);
+  units_->addWidget(button, unit_ / columns, unit_ % columns);
+  ++unit_;
+  return button;
+}
+
+// The honest answer where the axis measures neither; it leads to a refusal.
+void AdviceBar::addNoUnit(RemedyKind question) {
+  auto* none = new QPushButton(tr("None of these: another quantity"));
+  none->setObjectName(QStringLiteral("otherQuantity"));
+  none->setAutoDefault(false);
+  units_->addWidget(none, (unit_ + columns - 1) / columns, 0, 1, -1, Qt::AlignLeft);
+  connect(none, &QPushButton::clicked, this, [this, question] { emit otherQuantityChosen(question); });
 }
 
 // Every unit is a click away: the printed one is never missing.
 void AdviceBar::addLengthUnits() {
-  addQuestion(tr("Which unit is the displacement axis in?"));
+  question_->setText(tr("Which unit is the displacement axis in?"));
   for (const LengthUnit unit : offeredLengthUnits) {
-    QPushButton* button = addButton(DisplayUnits{unit, {}}.lengthSymbol());
-    button->setObjectName(QStringLiteral("lengthUnit_") + DisplayUnits{unit, {}}.lengthSymbol());
+    QPushButton* button = addUnit(DisplayUnits{unit, {}}.lengthSymbol(), "lengthUnit_");
     connect(button, &QPushButton::clicked, this, [this, unit] { emit lengthUnitChosen(unit); });
   }
 }
 
 void AdviceBar::addForceUnits() {
-  addQuestion(tr("Which unit is the force axis in?"));
+  question_->setText(tr("Which unit is the force axis in?"));
   for (const ForceUnit unit : offeredForceUnits) {
-    QPushButton* button = addButton(DisplayUnits{{}, unit}.forceSymbol());
-    button->setObjectName(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());
+    QPushButton* button = addUnit(DisplayUnits{{}, unit}.forceSymbol(), "forceUnit_");
     connect(button, &QPushButton::clicked, this, [this, unit] { emit forceUnitChosen(unit); });
   }
 }

@@ -30,17 +30,21 @@ class AdviceBar : public QFrame {
   /// The unit that an axis without a printed one was given.
   void lengthUnitChosen(LengthUnit unit);
   void forceUnitChosen(ForceUnit unit);
+  /// The axis of this question, giveXUnit or giveYUnit, measures another quantity.
+  void otherQuantityChosen(RemedyKind question);
 
  private:
   void addButtons(const std::vector<RemedyKind>& remedies);
   QPushButton* addButton(const QString& text);
-  void addQuestion(const QString& question);
+  QPushButton* addUnit(const QString& symbol, const char* name);
   void addLengthUnits();
   void addForceUnits();
+  void addNoUnit(RemedyKind question);
 
   QLabel *mark_, *words_;
-  QGridLayout* buttons_;
-  int row_ = 0, column_ = 0;  ///< of the next button
+  QLabel* question_;
+  QGridLayout *units_, *buttons_;
+  int unit_ = 0, button_ = 0;  ///< numbers of the next ones
   Tone tone_ = Tone::note;
   QString said_;
 };

@@ -90,6 +90,7 @@ void AxisBox::build() {
   column->addWidget(directionRow());
   column->addLayout(originRow());
   column->addLayout(unitRow());
+  reserveLines(*details_, 2);
   column->addWidget(details_);
   column->addWidget(extend_);
   extend_->setObjectName(axis_ == GraphAxis::x ? QStringLiteral("xExtend") : QStringLiteral("yExtend"));
@@ -277,7 +278,7 @@ void AxisBox::follow(bool ofLog) {
                     shown ? confidenceOf(shown->evidence, importer::ImportStep::axes) : std::nullopt);
   const QString details = detailsOf(correction, reading);
   details_->setText(details);
-  details_->setVisible(!details.isEmpty());
+  details_->setVisible(!ofLog);
   const bool bothGiven = correction.min && correction.max;
   direction_->setVisible(!ofLog && bothGiven && (!reading || reading->ticks.size() < 2));
   falls_->setChecked(bothGiven && *correction.min > *correction.max);
@@ -326,17 +327,19 @@ void AxisBox::showUnit(const Corrections& given, const importer::AxisReading* fo
 
 QString AxisBox::detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const {
   QStringList details;
-  if (!given.ticks.empty()) {
-    details << (given.ticks.size() == 1 ? tr("1 tick given; one more defines the axis")
-                                        : tr("%1 ticks given").arg(given.ticks.size()));
-  } else if (found && !found->ticks.empty()) {
-    const auto used =
-        std::count_if(found->ticks.begin(), found->ticks.end(), [](const auto& t) { return t.used; });
-    details << tr("%1 of %2 tick labels used (residual %3 px)")
-                   .arg(used)
-                   .arg(found->ticks.size())
+  const auto numbers = found ? std::ssize(found->ticks) : 0;
+  const auto agreeing = found ? std::ranges::count_if(found->ticks, &importer::TickLabel::agrees) : 0;
+  if (given.ticks.size() == 1)
+    details << (agreeing > 0 ? tr("1 tick given") : tr("1 tick given; one more defines the axis"));
+  else if (!given.ticks.empty())
+    details << tr("%1 ticks given").arg(given.ticks.size());
+  if (numbers > 0 && !given.empty())
+    details << tr("%1 of %2 printed numbers agree").arg(agreeing).arg(numbers);
+  else if (numbers > 0)
+    details << tr("%1 of %2 printed numbers used (residual %3 px)")
+                   .arg(agreeing)
+                   .arg(numbers)
                    .arg(fixedText(found->residual_px, 2));
-  }
   if (found && !found->title.empty()) details << tr("titled “%1”").arg(QString::fromStdString(found->title));
   return details.join(QStringLiteral("; "));
 }

@@ -47,6 +47,27 @@ std::optional<AxisEnds> throughAll(const std::vector<Placed>& points) {
   return AxisEnds{atStart, atStart + perShare};
 }
 
+/// The found scale, if it goes through at least two found ticks and all given ones. Places that are typed or
+/// clicked may be off by a part of the found ticks' distance, as the importer allows for labels.
+std::optional<AxisEnds> scaleOfAll(const std::vector<Placed>& given, const std::vector<Placed>& found,
+                                   const std::vector<Placed>& foundEnds) {
+  constexpr double agreeOfPitch = 2 * 0.035;
+  if (found.size() < 2 || foundEnds.size() != 2) return {};
+  const auto ends = throughAll(foundEnds);
+  if (!ends) return {};
+  double pitch = 1;
+  for (std::size_t i = 1; i < found.size(); ++i)
+    pitch = std::min(pitch, std::abs(found[i].share - found[i - 1].share));
+  const double span = std::abs(ends->max - ends->min);
+  for (const Placed& p : given)
+    if (std::abs(std::lerp(ends->min, ends->max, p.share) - p.value) > agreeOfPitch * pitch * span) return {};
+  constexpr double rounding = 1e-9;  // of the span: in the frame where it was found an end is exact
+  const auto exact = [&](double end, double asFound) {
+    return std::abs(end - asFound) <= rounding * span ? asFound : end;
+  };
+  return AxisEnds{exact(ends->min, foundEnds.front().value), exact(ends->max, foundEnds.back().value)};
+}
+
 void setEnds(const AxisCorrection& axis, const std::optional<AxisEnds>& fromTicks, std::optional<double>& min,
              std::optional<double>& max) {
   min = axis.min, max = axis.max;
@@ -80,10 +101,12 @@ void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<Fram
 }
 
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
-                                      const std::vector<AxisTick>& given,
-                                      const std::vector<AxisTick>& found) {
+                                      const std::vector<AxisTick>& given, const std::vector<AxisTick>& found,
+                                      const std::vector<AxisTick>& foundEnds) {
   auto points = placed(axis, corners, given);
   if (points.empty()) return {};
+  if (const auto kept = scaleOfAll(points, placed(axis, corners, found), placed(axis, corners, foundEnds)))
+    return kept;
   if (points.size() == 1) {
     const double at = points.front().share;
     const auto others = placed(axis, corners, found);
@@ -102,13 +125,16 @@ importer::ImportHints hintsFrom(const Corrections& corrections, const std::optio
   if (corrections.frame) hints.frame.assign(corrections.frame->begin(), corrections.frame->end());
   std::optional<FrameCorners> corners = corrections.frame;
   if (!corners && found) corners = found->corners;
-  const auto ends = [&](GraphAxis axis, const std::vector<AxisTick>& foundTicks) -> std::optional<AxisEnds> {
+  const auto ends = [&](GraphAxis axis) -> std::optional<AxisEnds> {
     if (!corners) return {};
-    return endsFromTicks(axis, *corners, corrections.axis(axis).ticks, foundTicks);
+    const std::vector<AxisTick>& given = corrections.axis(axis).ticks;
+    if (!found) return endsFromTicks(axis, *corners, given, {});
+    const bool isX = axis == GraphAxis::x;
+    return endsFromTicks(axis, *corners, given, isX ? found->xTicks : found->yTicks,
+                         isX ? found->xEnds : found->yEnds);
   };
-  const std::vector<AxisTick> none;
-  setEnds(corrections.x, ends(GraphAxis::x, found ? found->xTicks : none), hints.axes.xMin, hints.axes.xMax);
-  setEnds(corrections.y, ends(GraphAxis::y, found ? found->yTicks : none), hints.axes.yMin, hints.axes.yMax);
+  setEnds(corrections.x, ends(GraphAxis::x), hints.axes.xMin, hints.axes.xMax);
+  setEnds(corrections.y, ends(GraphAxis::y), hints.axes.yMin, hints.axes.yMax);
   hints.axes.xUnit = corrections.xUnit, hints.axes.yUnit = corrections.yUnit;
   hints.trace = {corrections.pressColor, corrections.releaseColor, corrections.masks};
   hints.drawn = corrections.drawn;

@@ -55,6 +55,7 @@ struct Corrections {
   std::vector<MarkCorrection>
       marks;  ///< in the order given; no hints: put into what was read (mark_corrections.h)
   bool swapStrokes = false;
+  bool xIsOther = false, yIsOther = false;  ///< the axis measures another quantity: nothing can be imported
   std::string
       curve;  ///< of several switches in the plot the one to take, as StrokeHints::curve; empty: the only one
   std::optional<double> dpi;  ///< (0, 1200]
@@ -79,15 +80,19 @@ importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double s
 /// Without corners they are lost.
 void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
 
-/// The ends that given ticks define: the line through them, by least squares. A single given tick is joined
-/// with the farthest found one. Nothing if that leaves fewer than two places or two equal ones.
+/// The ends that given ticks define. If all given ticks agree with the scale that was found, it is kept:
+/// `foundEnds` are two ticks at the ends of that scale, or none. Otherwise the line through the given ticks, by
+/// least squares; a single given tick is joined with the farthest found one. Nothing if that leaves fewer than
+/// two places or two equal ones.
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
-                                      const std::vector<AxisTick>& given, const std::vector<AxisTick>& found);
+                                      const std::vector<AxisTick>& given, const std::vector<AxisTick>& found,
+                                      const std::vector<AxisTick>& foundEnds = {});
 
 /// The importer's knowledge of a graph when corrections are turned into hints.
 struct FoundAxes {
   FrameCorners corners;
-  std::vector<AxisTick> xTicks, yTicks;  ///< those that agreed with the progression
+  std::vector<AxisTick> xTicks, yTicks;          ///< those that agreed with the progression
+  std::vector<AxisTick> xEnds = {}, yEnds = {};  ///< at the ends of the axis; empty if none was found
 };
 
 /// Hints for the importer. Ticks become the values at the edges of the frame: the given one, else the found

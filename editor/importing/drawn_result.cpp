@@ -51,7 +51,7 @@ std::vector<DrawnTick> ticksOf(GraphAxis axis, const importer::GraphEvidence& ev
   std::vector<DrawnTick> ticks;
   for (const auto& tick : (axis == GraphAxis::x ? calibration.x : calibration.y).ticks) {
     ticks.push_back({placeOfTick(axis, evidence, tick.position_px), tick.value,
-                     QString::fromStdString(tick.text), tick.used});
+                     QString::fromStdString(tick.text), tick.agrees});
   }
   return ticks;
 }

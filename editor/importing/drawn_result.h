@@ -16,7 +16,7 @@ struct DrawnTick {
   importer::Point at;  ///< page units, on the axis
   double value = 0;
   QString text;      ///< as read; may be empty
-  bool used = true;  ///< false: disagreed with the others
+  bool used = true;  ///< false: disagrees with the others, or with the ends that were given
 };
 
 /// A point with a name: tactile point, operating or reset point.

@@ -92,6 +92,13 @@ QString placeOf(const Failure& failure, const QString& documentName, const Displ
   return parts.join(QStringLiteral(", "));
 }
 
+/// Adds what is advised in words.
+void addWords(Advice& advice, const Remedies& remedies, const DisplayUnits& units) {
+  for (const Remedy& remedy : remedies)
+    if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))
+      advice.remedy += (advice.remedy.isEmpty() ? "" : " ") + asSentence(inWords(remedy.words, units));
+}
+
 }  // namespace
 
 bool isCorrection(RemedyKind kind) { return wordsOf(kind).has_value(); }
@@ -109,15 +116,15 @@ Advice adviceFor(const Failure& failure, const QString& documentName, const Disp
   advice.problem = asSentence(place.isEmpty() ? problem : place + QStringLiteral(": ") + problem);
   advice.remedies = correctionsAmong(failure.remedies);
   if (!advice.remedies.empty()) advice.remedy = joined(advice.remedies);
-  for (const Remedy& remedy : failure.remedies)
-    if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))
-      advice.remedy += (advice.remedy.isEmpty() ? "" : " ") + asSentence(inWords(remedy.words, units));
+  addWords(advice, failure.remedies, units);
   return advice;
 }
 
 Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
                  const DisplayUnits& units) {
-  return {asSentence(inWords(messageOf(doubt), units)), joined(corrections), corrections};
+  Advice advice{asSentence(inWords(messageOf(doubt), units)), joined(corrections), corrections};
+  addWords(advice, doubt.remedies, units);
+  return advice;
 }
 
 QString inWords(const importer::Remark& remark, const DisplayUnits& units) {

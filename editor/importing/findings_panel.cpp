@@ -87,6 +87,13 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
   confirmed_->setToolTip(tr("Allows an uncertain result to be imported"));
   connect(confirmed_, &QCheckBox::clicked, &state_, &ImportState::setConfirmed);
   cause_->setObjectName(QStringLiteral("confidenceCause"));
+  // Widgets that come and go keep their room: the fields below stay where a click is aimed.
+  reserveLines(*cause_, 2);
+  for (QWidget* each : std::initializer_list<QWidget*>{sure_, steps_, confirmed_}) {
+    QSizePolicy keepsRoom = each->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);
+    each->setSizePolicy(keepsRoom);
+  }
   for (QWidget* each : std::initializer_list<QWidget*>{confidence_, sure_, cause_, steps_, confirmed_})
     column.addWidget(each);
 }
@@ -159,7 +166,6 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
   confidence_->setAccessibleDescription(explanation);
   const QString cause = report ? causeOf(*report, settings_.units()) : QString();
   cause_->setText(cause.isEmpty() ? QString() : tr("reason: %1").arg(cause));
-  cause_->setVisible(!cause.isEmpty());
   sure_->setValue(percent);
   sure_->setVisible(report != nullptr);
   confirmed_->setVisible(report && report->doubt && !failed);

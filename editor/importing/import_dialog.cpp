@@ -106,6 +106,15 @@ Advice adviceOnSwitches(const ImportGraph& graph) {
           {}};
 }
 
+/// The reason why a plot on the page is no force graph, if that was read from its axes; null otherwise.
+const Failure* otherPlotOn(const ImportPage& page) {
+  for (const importer::RejectedFrame& rejected : page.rejected)
+    if (rejected.why.reason == importer::nameOf(importer::DoubtCode::axesExchanged) ||
+        rejected.why.reason == importer::nameOf(importer::DoubtCode::otherQuantity))
+      return &rejected.why;
+  return nullptr;
+}
+
 bool isAboutSwitches(const Failure& failure) {
   return failure.reason == importer::nameOf(importer::DoubtCode::severalSwitches);
 }
@@ -367,6 +376,11 @@ void ImportDialog::Impl::build() {
   QObject::connect(advice, &AdviceBar::forceUnitChosen, &dialog, [this](ForceUnit unit) {
     state.correct(tr("Force unit"), [unit](Corrections& c) { c.yUnit = unit; });
   });
+  QObject::connect(advice, &AdviceBar::otherQuantityChosen, &dialog, [this](RemedyKind question) {
+    state.correct(tr("Another quantity"), [question](Corrections& c) {
+      (question == RemedyKind::giveXUnit ? c.xIsOther : c.yIsOther) = true;
+    });
+  });
   QObject::connect(workSoon, &QTimer::timeout, &dialog, [this] {
     progress->setVisible(true);
     stop->setVisible(true);
@@ -445,14 +459,15 @@ void ImportDialog::Impl::showWork() {
     }
     return;
   }
+  const bool searching = state.isOpen() && !state.isForceLog() && state.searchedPages() < state.pageCount();
+  work->setText(
+      !searching ? QString()
+      : state.pageCount() > 1
+          ? tr("Searching for graphs: page %1 of %2").arg(state.searchedPages() + 1).arg(state.pageCount())
+          : tr("Searching the page for graphs …"));
   workSoon->stop();
   progress->setVisible(false);
   stop->setVisible(false);
-  const bool searching = state.isOpen() && !state.isForceLog() && state.searchedPages() < state.pageCount();
-  work->setText(
-      searching && state.pageCount() > 1
-          ? tr("Searching for graphs: page %1 of %2").arg(state.searchedPages() + 1).arg(state.pageCount())
-          : QString());
 }
 
 // The axis in question is marked on the page.
@@ -478,7 +493,15 @@ void ImportDialog::Impl::showAdvice() {
     if (!state.isOpen() || state.isForceLog()) return clearAdvice();
     if (const auto& failure = state.page(state.currentPage()).failure)
       return say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName(), settings.units()));
-    if (state.page(state.currentPage()).searched) {
+    const auto& page = state.page(state.currentPage());
+    if (page.searched) {
+      if (const Failure* why = otherPlotOn(page))
+        return say(
+            AdviceBar::Tone::note,
+            {adviceFor(*why, state.documentName(), settings.units()).problem,
+             tr("No button can be imported from that graph. If the page shows another one, draw its plot "
+                "frame. If this one was misread, click its dashed rectangle."),
+             {RemedyKind::giveFrame}});
       // Of pages that are still searched nothing can be said yet.
       const bool pageAlone = !state.graphs().empty() || state.searchedPages() < state.pageCount();
       return say(AdviceBar::Tone::note,
@@ -488,6 +511,12 @@ void ImportDialog::Impl::showAdvice() {
     }
     return clearAdvice();
   }
+  if (graph->isOther())
+    return say(AdviceBar::Tone::fault,
+               {graph->history.now().xIsOther ? tr("The horizontal axis measures no displacement.")
+                                              : tr("The vertical axis measures no force."),
+                tr("No button can be imported from this graph. Undo takes the answer back."),
+                {}});
   const bool several = !graph->switches().empty();
   const bool failed = graph->last && graph->last->failure && graph->pending == 0;
   if (failed && !(several && isAboutSwitches(*graph->last->failure)))
@@ -506,7 +535,7 @@ void ImportDialog::Impl::showAdvice() {
 void ImportDialog::Impl::showAccept() {
   const int ticked = state.tickedCount();
   const ImportGraph* graph = state.current();
-  const bool usable = graph && graph->good && !(graph->last && graph->last->failure) &&
+  const bool usable = graph && graph->good && !graph->isOther() && !(graph->last && graph->last->failure) &&
                       (!graph->good->report->doubt || graph->confirmed);
   accept->setText(ticked > 1 ? tr("&Import %1 graphs").arg(ticked) : tr("&Import"));
   accept->setEnabled(ticked > 0 || usable);

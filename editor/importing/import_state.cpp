@@ -23,6 +23,16 @@ std::vector<AxisTick> usedTicks(GraphAxis axis, const importer::GraphEvidence& e
   return ticks;
 }
 
+/// Ticks at the two ends of an axis with the values that were found for them.
+std::vector<AxisTick> endsFound(GraphAxis axis, const importer::GraphEvidence& evidence) {
+  const FrameCorners corners = cornersOf(evidence);
+  const auto& calibration = evidence.axes.calibration.value;
+  const importer::AxisReading& reading = axis == GraphAxis::x ? calibration.x : calibration.y;
+  AxisEnds ends{reading.min, reading.max};
+  if (fallsOnPage(axis, evidence)) std::swap(ends.min, ends.max);
+  return {{placeAlong(axis, corners, 0), ends.min}, {placeAlong(axis, corners, 1), ends.max}};
+}
+
 /// "4.0", "4,0", "120".
 std::optional<double> numberIn(const std::string& text) {
   bool isNumber = false;
@@ -585,6 +595,8 @@ void ImportState::rememberFound(ImportGraph& graph, const ImportedGraph& importe
   if (!axesFound) return;
   graph.found->xTicks = usedTicks(GraphAxis::x, *imported.evidence);
   graph.found->yTicks = usedTicks(GraphAxis::y, *imported.evidence);
+  graph.found->xEnds = endsFound(GraphAxis::x, *imported.evidence);
+  graph.found->yEnds = endsFound(GraphAxis::y, *imported.evidence);
   graph.foundX = imported.evidence->axes.calibration.value.x;
   graph.foundY = imported.evidence->axes.calibration.value.y;
 }
@@ -641,7 +653,7 @@ void ImportState::choose(ImportGraph& graph, const std::string& curve) {
 }
 
 bool ImportState::isUsable(const ImportGraph& graph) const {
-  return graph.upToDate(quality_) && (!graph.last->report->doubt || graph.confirmed);
+  return graph.upToDate(quality_) && !graph.isOther() && (!graph.last->report->doubt || graph.confirmed);
 }
 
 void ImportState::giveOut(ImportGraph& graph, const std::string& curve) {

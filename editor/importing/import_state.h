@@ -69,6 +69,8 @@ struct ImportGraph {
   /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of
   /// them.
   std::vector<SwitchChoice> switches() const;
+  /// Returns true if the user said that an axis measures another quantity.
+  bool isOther() const { return history.now().xIsOther || history.now().yIsOther; }
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Corners in force, page units: given, else found; nothing before either is known.
   std::optional<FrameCorners> corners() const;

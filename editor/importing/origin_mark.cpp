@@ -72,4 +72,9 @@ QLabel* wrappedLabel() {
   return label;
 }
 
+void reserveLines(QLabel& label, int lines) {
+  label.setMinimumHeight(lines * label.fontMetrics().lineSpacing());
+  label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+}
+
 }  // namespace detent::editor

@@ -40,5 +40,7 @@ std::optional<double> confidenceOf(const std::shared_ptr<const importer::GraphEv
 
 /// A label that wraps and whose text can be copied.
 QLabel* wrappedLabel();
+/// Gives the label the height of so many lines even with less text, so that nothing below it moves.
+void reserveLines(QLabel& label, int lines);
 
 }  // namespace detent::editor

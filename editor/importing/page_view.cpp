@@ -85,6 +85,7 @@ PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
   connect(&state_, &ImportState::correctionsChanged, this, qOverload<>(&QWidget::update));
   connect(&state_, &ImportState::pageChanged, this, [this](int page) {
     if (page == state_.currentPage()) takeCurrent();
+    followEarlyClick();
   });
   connect(&settings_, &ViewSettings::changed, this, qOverload<>(&QWidget::update));
 }
@@ -497,8 +498,11 @@ void PageView::drawOtherFrames(QPainter& painter) const {
   }
   if (state_.current()) return;
   for (const auto& rejected : state_.page(state_.currentPage()).rejected) {
-    painter.setPen(QPen(QColor("#6b727b"), 1.5, Qt::DashLine));
-    painter.drawRect(pageToWidget_.mapRect(rectOf(rejected.frame)));
+    const QRectF frame = pageToWidget_.mapRect(rectOf(rejected.frame));
+    painter.setPen(QPen(QColor(255, 255, 255, 200), 5));
+    painter.drawRect(frame);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2.5, Qt::DashLine));
+    painter.drawRect(frame);
   }
 }
 
@@ -574,11 +578,31 @@ void PageView::mousePressEvent(QMouseEvent* event) {
   }
   if (state_.currentPage() < 1 || tool_->press(*event)) return;
   if (event->button() != Qt::LeftButton) return;
-  if (const auto id = graphAt(event->position())) return state_.selectGraph(*id);
-  if (const auto index = rejectedAt(event->position())) {
+  earlyClick_.reset();
+  if (!state_.isForceLog() && !state_.page(state_.currentPage()).searched) {
+    earlyClick_ = EarlyClick{state_.currentPage(), toPage(event->position())};
+    emit hint(tr("This page is still being searched. Your click takes effect as soon as that is done."));
+    return;
+  }
+  selectAt(event->position());
+}
+
+void PageView::selectAt(QPointF widget) {
+  if (const auto id = graphAt(widget)) return state_.selectGraph(*id);
+  if (const auto index = rejectedAt(widget)) {
     const auto& box = state_.page(state_.currentPage()).rejected[*index].frame;
     state_.addGraph({{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}});
   }
+}
+
+void PageView::followEarlyClick() {
+  if (!earlyClick_ || earlyClick_->page != state_.currentPage() ||
+      !state_.page(state_.currentPage()).searched)
+    return;
+  const QPointF at = toWidget(earlyClick_->at);
+  earlyClick_.reset();
+  emit hint(tool_->hint());
+  selectAt(at);
 }
 
 void PageView::mouseMoveEvent(QMouseEvent* event) {

@@ -129,6 +129,9 @@ class PageView : public QWidget {
   void drawDoubt(QPainter& painter) const;
   std::optional<std::size_t> rejectedAt(QPointF widget) const;
   std::optional<GraphId> graphAt(QPointF widget) const;
+  /// Selects the graph there, or takes the rejected rectangle there for one.
+  void selectAt(QPointF widget);
+  void followEarlyClick();
 
   ImportState& state_;
   ViewSettings& settings_;
@@ -146,6 +149,12 @@ class PageView : public QWidget {
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;
   std::optional<GraphAxis> doubt_;
+  /// A click on a page before it was searched; it counts when the search is done.
+  struct EarlyClick {
+    int page = 0;
+    importer::Point at;
+  };
+  std::optional<EarlyClick> earlyClick_;
   bool spaceDown_ = false;
   mutable qint64 backgroundOf_ = 0;  ///< thumbnail whose background was read
   mutable bool darkBackground_ = false;

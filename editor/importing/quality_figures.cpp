@@ -37,7 +37,7 @@ QString describedQuality(importer::Quality quality) {
   const QString error = numberText(figures.error_percentOfSpan, 2);
   if (quality == importer::Quality::draft)
     return tr("%1 – fastest, error %2 % of the axis").arg(levelName(quality), error);
-  return tr("%1 – %2 × the time of a draft, error %3 % of the axis")
+  return tr("%1 – takes %2 times as long as a draft, error %3 % of the axis")
       .arg(levelName(quality), numberText(figures.workOfDraft, 2), error);
 }
 

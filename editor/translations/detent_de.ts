@@ -2250,10 +2250,6 @@ Lizenz: %3</translation>
         <translation>%1 – am schnellsten, Fehler %2 % der Achse</translation>
     </message>
     <message>
-        <source>%1 – %2 × the time of a draft, error %3 % of the axis</source>
-        <translation>%1 – %2 × Entwurfszeit, Fehler %3 % der Achse</translation>
-    </message>
-    <message>
         <source>Stroke</source>
         <translation>Kurve</translation>
     </message>
@@ -2837,6 +2833,10 @@ Lizenz: %3</translation>
         <source>%1? %2</source>
         <translation>%1? %2</translation>
     </message>
+    <message>
+        <source>%1 – takes %2 times as long as a draft, error %3 % of the axis</source>
+        <translation>%1 – braucht %2-mal so lange wie ein Entwurf, Fehler %3 % der Achse</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -2948,6 +2948,10 @@ Lizenz: %3</translation>
     <message>
         <source>Which unit is the force axis in?</source>
         <translation>Welche Einheit hat die Kraftachse?</translation>
+    </message>
+    <message>
+        <source>None of these: another quantity</source>
+        <translation>Keine davon: eine andere Größe</translation>
     </message>
 </context>
 <context>
@@ -3335,8 +3339,16 @@ Lizenz: %3</translation>
         <translation>Richtung der Achse</translation>
     </message>
     <message>
-        <source>%1 of %2 tick labels used (residual %3 px)</source>
-        <translation>%1 von %2 Zahlen verwendet (Abweichung %3 px)</translation>
+        <source>1 tick given</source>
+        <translation>1 Teilstrich vorgegeben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 printed numbers agree</source>
+        <translation>%1 von %2 gedruckten Zahlen stimmen überein</translation>
+    </message>
+    <message>
+        <source>%1 of %2 printed numbers used (residual %3 px)</source>
+        <translation>%1 von %2 gedruckten Zahlen verwendet (Restfehler %3 px)</translation>
     </message>
 </context>
 <context>
@@ -6098,6 +6110,30 @@ Lizenz: %3</translation>
         <source>There is no picture on the clipboard. Copy one, for instance with the snipping tool of your system.</source>
         <translation>In der Zwischenablage ist kein Bild. Kopieren Sie eines, zum Beispiel mit dem Bildschirmfoto-Werkzeug Ihres Systems.</translation>
     </message>
+    <message>
+        <source>Another quantity</source>
+        <translation>Andere Größe</translation>
+    </message>
+    <message>
+        <source>Searching the page for graphs …</source>
+        <translation>Die Seite wird nach Graphen durchsucht …</translation>
+    </message>
+    <message>
+        <source>No button can be imported from that graph. If the page shows another one, draw its plot frame. If this one was misread, click its dashed rectangle.</source>
+        <translation>Aus diesem Graphen kann kein Taster importiert werden. Zeigt die Seite einen anderen, zeichnen Sie dessen Rahmen. Wurde dieser falsch gelesen, klicken Sie auf sein gestricheltes Rechteck.</translation>
+    </message>
+    <message>
+        <source>The horizontal axis measures no displacement.</source>
+        <translation>Die waagerechte Achse misst keinen Weg.</translation>
+    </message>
+    <message>
+        <source>The vertical axis measures no force.</source>
+        <translation>Die senkrechte Achse misst keine Kraft.</translation>
+    </message>
+    <message>
+        <source>No button can be imported from this graph. Undo takes the answer back.</source>
+        <translation>Aus diesem Graphen kann kein Taster importiert werden. „Rückgängig“ nimmt die Antwort zurück.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ImportState</name>
@@ -7808,6 +7844,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Not recognised as a force graph: %1 Click to import it by hand.</source>
         <translation>Nicht als Kraftgraph erkannt: %1 Klicken Sie, um ihn von Hand zu importieren.</translation>
     </message>
+    <message>
+        <source>This page is still being searched. Your click takes effect as soon as that is done.</source>
+        <translation>Diese Seite wird noch durchsucht. Ihr Klick wirkt, sobald das fertig ist.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::PanTool</name>
@@ -9338,10 +9378,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1: vorgegeben</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 labels on an even progression over %4 ticks</source>
-        <translation>%1: %2 von %3 Beschriftungen in gleichmäßiger Folge über %4 Teilstriche</translation>
-    </message>
-    <message>
         <source>drawn as one loop and told apart by its course</source>
         <translation>als eine Schleife gezeichnet; Hinweg und Rückweg aus ihrem Verlauf bestimmt</translation>
     </message>
@@ -9492,10 +9528,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the force axis begins at %1 and a curve goes below it</source>
         <translation>die Kraftachse beginnt bei %1, und eine Kurve läuft darunter weiter</translation>
-    </message>
-    <message>
-        <source>a second scale on the right measures something else</source>
-        <translation>eine zweite Skala rechts misst etwas anderes</translation>
     </message>
     <message>
         <source>ink like a curve&apos;s is left over around %1, %2</source>
@@ -10169,6 +10201,26 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>the axes are exchanged: force runs to the right and travel upwards</source>
         <translation>die Achsen sind vertauscht: Die Kraft verläuft nach rechts und der Weg nach oben</translation>
     </message>
+    <message>
+        <source>Import a graph of the same button with evenly divided axes</source>
+        <translation>Importieren Sie einen Graphen desselben Tasters mit gleichmäßig geteilten Achsen</translation>
+    </message>
+    <message>
+        <source>%1 axis: given, %2 of %3 printed numbers agree</source>
+        <translation>%1-Achse: vorgegeben, %2 von %3 gedruckten Zahlen stimmen überein</translation>
+    </message>
+    <message>
+        <source>%1 axis: %2 of %3 printed numbers fit one scale, with %4 ticks</source>
+        <translation>%1-Achse: %2 von %3 gedruckten Zahlen passen zu einer Skala, mit %4 Teilstrichen</translation>
+    </message>
+    <message>
+        <source>a second scale on the right may be that of a curve</source>
+        <translation>eine zweite Skala rechts kann zu einer der Kurven gehören</translation>
+    </message>
+    <message>
+        <source>the values given for the %1 axis contradict the numbers printed there (%2)</source>
+        <translation>die Werte, die für die %1-Achse vorgegeben sind, widersprechen den dort gedruckten Zahlen (%2)</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10198,6 +10250,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Use the whole picture</source>
         <translation>Das ganze Bild verwenden</translation>
+    </message>
+    <message>
+        <source>Correct the given values, or give none so that the numbers count</source>
+        <translation>Berichtigen Sie die vorgegebenen Werte, oder geben Sie keine vor, damit die gedruckten Zahlen gelten</translation>
+    </message>
+    <message>
+        <source>Pick the press on the left scale and no release if that is drawn on the right scale</source>
+        <translation>Wählen Sie als Hinweg die Kurve der linken Skala und keinen Rückweg, wenn dieser zur rechten Skala gehört</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "importer/axes/uneven_scale.h"
+
 namespace detent::importer {
 namespace {
 
@@ -46,17 +48,25 @@ bool areExchanged(const AxisCalibration& axes) {
   return forceUnitFrom(axes.x.otherQuantity) && lengthUnitFrom(axes.y.otherQuantity);
 }
 
+Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind unit) {
+  // No unit makes such a scale even.
+  if (quantity == logarithmicScale || quantity == categoriesScale)
+    return {DoubtCode::otherQuantity,
+            {axis, quantity},
+            Message("Import a graph of the same button with evenly divided axes")};
+  const bool isTravel = unit == RemedyKind::giveXUnit;
+  return {DoubtCode::otherQuantity,
+          {axis, quantity},
+          {{unit, isTravel ? "if it is a travel all the same" : "if it is a force all the same"}}};
+}
+
 std::vector<Doubt> otherQuantitiesOf(const AxisCalibration& axes) {
   if (areExchanged(axes)) return {{DoubtCode::axesExchanged, {}, {}}};
   std::vector<Doubt> doubts;
   if (!axes.x.otherQuantity.empty())
-    doubts.push_back({DoubtCode::otherQuantity,
-                      {"x", axes.x.otherQuantity},
-                      {{RemedyKind::giveXUnit, "if it is a travel all the same"}}});
+    doubts.push_back(otherQuantityOn("x", axes.x.otherQuantity, RemedyKind::giveXUnit));
   if (!axes.y.otherQuantity.empty())
-    doubts.push_back({DoubtCode::otherQuantity,
-                      {"y", axes.y.otherQuantity},
-                      {{RemedyKind::giveYUnit, "if it is a force all the same"}}});
+    doubts.push_back(otherQuantityOn("y", axes.y.otherQuantity, RemedyKind::giveYUnit));
   return doubts;
 }
 

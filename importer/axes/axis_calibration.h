@@ -21,6 +21,7 @@ struct TickLabel {
   std::string text;        ///< as read
   Box box;                 ///< view pixels
   bool used = true;        ///< false: disagreed with the progression and was left out
+  bool agrees = true;      ///< with the ends if any was given, else with the progression
 };
 
 /// One axis as printed.
@@ -37,6 +38,10 @@ struct AxisReading {
   bool thousandsUnclear = false;
   std::vector<TickLabel> ticks;
   std::string title;  ///< as read
+  /// labels that agree with one another and contradict the ends that were given, as text
+  std::vector<std::string> contradicting;
+  double contradictedBy =
+      0;  ///< confidence in the scale of the labels, if `contradicting` is not empty, 0..1
 };
 
 /// Distortion of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight
@@ -127,6 +132,9 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
 
 /// Returns true if the titles say that force runs to the right and travel upwards.
 bool areExchanged(const AxisCalibration& axes);
+/// The doubt about one axis that measures `quantity`, or is divided unevenly. `unit`: asks for a unit if that
+/// can remove the doubt.
+Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind unit);
 /// The doubts about axes that do not measure what they must: of x, then of y, or that both are exchanged.
 std::vector<Doubt> otherQuantitiesOf(const AxisCalibration& axes);
 

@@ -315,6 +315,7 @@ std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
   p.perPx = trial->perPx;
   p.reading = trial->reading;
   p.tickOf = positions.at;
+  p.agree_px = positions.agree;
   p.labels = agreeingTicks(*trial);
   const auto values = agreedValues(labels, *trial);
   p.step = commonStep(values);

@@ -28,6 +28,7 @@ struct Progression {
   int labels = 0;              ///< that agreed
   int ticks = 0;               ///< lines and ticks that carried the final fit
   double residual_px = 0;      ///< rms of those
+  double agree_px = 0;         ///< tolerance of a label's tick against the progression
   bool fromTicks = false;      ///< false: no ticks were found, so the centres of the labels were used
   double value(double position_px) const { return offset + perPx * position_px; }
   double position(double v) const { return (v - offset) / perPx; }

@@ -32,6 +32,7 @@ constexpr double newtonAtMost =
 struct AxisGiven {
   std::optional<double> min, max;
   bool range() const { return min && max; }
+  bool any() const { return min || max; }
 };
 
 /// Values at the two ends of the frame along one axis: left/right, or top/bottom. Printed unit.
@@ -40,16 +41,16 @@ struct EndValues {
 };
 
 RemedyKind rangeOf(Axis axis) { return axis == Axis::x ? RemedyKind::giveXAxis : RemedyKind::giveYAxis; }
+RemedyKind unitOf(Axis axis) { return axis == Axis::x ? RemedyKind::giveXUnit : RemedyKind::giveYUnit; }
 const char* nameOf(Axis axis) { return axis == Axis::x ? "x" : "y"; }
 Message placeOf(Axis axis) { return Message("%1 axis", nameOf(axis)); }
 
 Failure unread(const std::optional<AxisLabels>& labels, Axis axis, const std::vector<GridLine>& lines) {
-  if (isLogarithmic(lines))
-    return failureOf({DoubtCode::otherQuantity, {nameOf(axis), logarithmicScale}, {}}, "plot frame",
-                     placeOf(axis));
-  if (labels)
-    if (const std::string scale = unevenScaleIn(*labels, axis); !scale.empty())
-      return failureOf({DoubtCode::otherQuantity, {nameOf(axis), scale}, {}}, "plot frame", placeOf(axis));
+  const std::string scale = isLogarithmic(lines) ? logarithmicScale
+                            : labels             ? unevenScaleIn(*labels, axis)
+                                                 : std::string();
+  if (!scale.empty())
+    return failureOf(otherQuantityOn(nameOf(axis), scale, unitOf(axis)), "plot frame", placeOf(axis));
   if (labels && labels->numbers() >= 2)
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));
@@ -87,7 +88,7 @@ std::vector<TickLabel> tickLabels(const AxisLabels& labels) {
     label.value = labels.readings[i][k >= 0 ? static_cast<std::size_t>(k) : 0].value;
     label.text = labels.words[i].utf8;
     label.box = labels.words[i].box;
-    label.used = k >= 0;
+    label.used = label.agrees = k >= 0;
     out.push_back(std::move(label));
   }
   return out;
@@ -213,6 +214,9 @@ bool isWholeRow(const Progression& p, double printed, double baseline_px) {
          std::abs(p.position(step) - baseline_px) <= onLine_px;
 }
 
+/// Confidence in an axis from which on its labels are trusted without a given end.
+constexpr double credible = 0.5;
+
 /// Confidence in an axis: 1 if all labels agree; less for labels that contradict or cannot be read, for few
 /// labels, and for a large residual. `baseline_px`: where the axis begins.
 double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double baseline_px,
@@ -265,8 +269,12 @@ double sureOfUnits(const AxisCalibration& found, const std::vector<SeenText>& te
   return namesForceOrTravel(texts) ? 0.45 : 0.28;
 }
 
-EvidenceItem evidenceOf(Axis axis, const std::optional<AxisLabels>& labels, bool rangeGiven) {
-  if (rangeGiven || !hasProgression(labels)) return {EvidenceCode::axisGiven, {nameOf(axis)}};
+EvidenceItem evidenceOf(Axis axis, const std::optional<AxisLabels>& labels, const AxisReading& reading,
+                        bool rangeGiven) {
+  if (!hasProgression(labels)) return {EvidenceCode::axisGiven, {nameOf(axis)}};
+  if (rangeGiven)
+    return {EvidenceCode::axisGivenAmongLabels,
+            {nameOf(axis), std::ranges::count_if(reading.ticks, &TickLabel::agrees), labels->numbers()}};
   const auto& p = *labels->progression;
   return {EvidenceCode::labelsInProgression, {nameOf(axis), p.labels, labels->numbers(), p.ticks}};
 }
@@ -536,6 +544,67 @@ bool isEmptyRange(const EndValues& ends) {
   return std::abs(ends.last - ends.first) <= rounding * std::max(std::abs(ends.first), std::abs(ends.last));
 }
 
+/// The scale through the ends of an axis of which at least one was given.
+struct GivenScale {
+  Axis axis = Axis::x;
+  double first_px = 0, last_px = 0;
+  EndValues ends;
+  double value(double position_px) const {
+    return std::lerp(ends.first, ends.last, (position_px - first_px) / (last_px - first_px));
+  }
+};
+
+/// Marks the labels that agree with the given scale if their numbers are multiplied by `factor`; returns how
+/// many do. The frame's end and the label's tick may each be off as far as ticks among themselves.
+std::ptrdiff_t markAgreeing(AxisReading& reading, const GivenScale& given, const Progression& p,
+                            double factor) {
+  const double tolerance = 2 * p.agree_px * std::abs(factor * p.perPx);
+  for (TickLabel& tick : reading.ticks) {
+    const double off = std::abs(given.value(tick.position_px) - factor * p.value(tick.position_px));
+    tick.agrees = tick.used && off <= tolerance;
+  }
+  return std::ranges::count_if(reading.ticks, &TickLabel::agrees);
+}
+
+/// Value of the unit that the page prints in the unit of the reading; 1 if the page prints none.
+double printedPerGiven(const AxisReading& reading, const AxisLabels& labels, Axis axis) {
+  for (const std::string& text : {labels.suffix, reading.title}) {
+    if (axis == Axis::x)
+      if (const auto unit = lengthUnitIn(text))
+        return millimetresPer(unit->unit) / millimetresPer(*lengthUnitFrom(reading.unit));
+    if (axis == Axis::y)
+      if (const auto unit = forceUnitIn(text))
+        return newtonsPer(unit->unit) / newtonsPer(*forceUnitFrom(reading.unit));
+  }
+  return 1;
+}
+
+/// Compares ends that were given with the labels that agree with one another. Labels may be printed in
+/// another unit, in thousands or with a power of ten at the end of the axis.
+void compareWithLabels(AxisReading& reading, const GivenScale& given, GraphReading& r,
+                       const std::optional<AxisLabels>& labels) {
+  if (!hasProgression(labels)) return;
+  const Progression& p = *labels->progression;
+  const auto all = std::ranges::count_if(reading.ticks, &TickLabel::used);
+  double factor = 1;
+  std::ptrdiff_t most = markAgreeing(reading, given, p, factor);
+  const auto trial = [&](double other) {
+    if (most == all || other == 1) return;
+    const std::ptrdiff_t agreeing = markAgreeing(reading, given, p, other);
+    if (agreeing > most) most = agreeing, factor = other;
+  };
+  trial(printedPerGiven(reading, *labels, given.axis));
+  if (labels->thousands == ThousandsSign::possible) trial(1000);
+  if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
+  markAgreeing(reading, given, p, factor);
+  if (most == all) return;
+  for (const TickLabel& tick : reading.ticks)
+    if (tick.used && !tick.agrees) reading.contradicting.push_back(shownNumber(tick.value));
+  const bool isX = given.axis == Axis::x;
+  reading.contradictedBy =
+      sureOf(labels, false, isX ? given.first_px : given.last_px, isX ? r.box.width() : r.box.height());
+}
+
 }  // namespace
 
 void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFrame& frame,
@@ -611,19 +680,22 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
 
   found.rightScale = rightScaleBeside(r, yLabels);
   found.texts = allTexts(r, xLabels, yLabels);
-  found.calibration.confidence = sureOf(xLabels, xGiven.range(), corners[3].x, r.box.width()) *
-                                 sureOf(yLabels, yGiven.range(), corners[3].y, r.box.height()) *
-                                 sureOfUnits(cal, found.texts);
+  const double xSure = sureOf(xLabels, xGiven.range(), corners[3].x, r.box.width()),
+               ySure = sureOf(yLabels, yGiven.range(), corners[3].y, r.box.height());
+  found.calibration.confidence = xSure * ySure * sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
-  found.calibration.evidence = {evidenceOf(Axis::x, xLabels, xGiven.range()),
-                                evidenceOf(Axis::y, yLabels, yGiven.range())};
+  if (xGiven.any()) compareWithLabels(cal.x, {Axis::x, corners[3].x, corners[2].x, x}, r, xLabels);
+  if (yGiven.any()) compareWithLabels(cal.y, {Axis::y, corners[0].y, corners[3].y, y}, r, yLabels);
+  found.calibration.evidence = {evidenceOf(Axis::x, xLabels, cal.x, xGiven.range()),
+                                evidenceOf(Axis::y, yLabels, cal.y, yGiven.range())};
   for (const Axis axis : {Axis::x, Axis::y}) {
     const bool isX = axis == Axis::x, given = (isX ? xGiven : yGiven).range();
     const std::optional<AxisLabels>& labels = isX ? xLabels : yLabels;
     AxisReading& reading = isX ? cal.x : cal.y;
-    // A given range does not make a nonlinear scale linear.
+    // A given range does not make a nonlinear scale linear. Of such a scale some labels always fit a line.
+    const bool labelsFit = !given && (isX ? xSure : ySure) >= credible;
     const std::string scale = isLogarithmic(isX ? frame.xLines : frame.yLines) ? logarithmicScale
-                              : given && labels                                ? unevenScaleIn(*labels, axis)
+                              : labels && !labelsFit                           ? unevenScaleIn(*labels, axis)
                                                                                : std::string();
     if (!scale.empty()) {
       reading.otherQuantity = scale;

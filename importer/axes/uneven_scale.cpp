@@ -43,7 +43,7 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   }
   std::vector<std::pair<double, double>> steps;
   for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
-  return offLine(steps) <= fits ? "categories, not to scale" : "";
+  return offLine(steps) <= fits ? categoriesScale : "";
 }
 
 bool isLogarithmic(const std::vector<GridLine>& lines) {

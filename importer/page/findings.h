@@ -22,11 +22,12 @@ std::string_view nameOf(ImportStep step);
 /// Facts that support a conclusion.
 enum class EvidenceCode {
   frameGiven,
-  edgesDrawn,           ///< edges drawn (of 4), vertical and horizontal lines or ticks
-  labelsAroundBox,      ///< labels below, labels beside a rectangle of lines
-  axisGiven,            ///< axis
-  labelsInProgression,  ///< axis, labels in it, numbers read, ticks
-  distinguishedByPath,  ///< both strokes are drawn as one loop
+  edgesDrawn,            ///< edges drawn (of 4), vertical and horizontal lines or ticks
+  labelsAroundBox,       ///< labels below, labels beside a rectangle of lines
+  axisGiven,             ///< axis
+  axisGivenAmongLabels,  ///< axis, labels that agree with the given ends, numbers read
+  labelsInProgression,   ///< axis, labels in it, numbers read, ticks
+  distinguishedByPath,   ///< both strokes are drawn as one loop
   namedByLegend,
   pressAboveRelease,  ///< share of the travel where the two curves differ
   oneHigherForce,
@@ -91,6 +92,7 @@ enum class DoubtCode {
   pageIsScan,
   pageIsPhoto,
   givenAgainstLegend,  ///< given colour of a stroke, and the legend's text for the curve of that colour
+  givenAgainstLabels,  ///< axis, the labels that contradict the ends given for it
   rangeFalls,          ///< numbers that fall along the axis, on a plot that cannot be mirrored
   assumed              ///< message of the evidence
 };

@@ -69,6 +69,29 @@ TEST_CASE("One given tick keeps the farthest found one; more given ones need non
   CHECK_FALSE(endsFromTicks(GraphAxis::x, upright, {{{200, 250}, 3}, {{300, 250}, 3}}, {}));
 }
 
+TEST_CASE("A given tick that agrees with the found ones keeps their scale, exactly") {
+  const std::vector<AxisTick> found{{{100, 250}, 0}, {{200.1, 250}, 2}, {{249.9, 250}, 3}},
+      ends{{{100, 250}, 0}, {{300, 250}, 4}};
+  const auto with = [&](const std::vector<AxisTick>& given) {
+    return endsFromTicks(GraphAxis::x, upright, given, found, ends);
+  };
+  const std::vector<AxisTick> misread{{{150.3, 250}, 1}};  // its label was read as 4
+  for (const auto& given : {misread, {misread.front(), {{100, 250}, 0}}}) {
+    const auto kept = with(given);
+    REQUIRE(kept);
+    CHECK(kept->min == 0);
+    CHECK(kept->max == 4);
+  }
+  const auto other = with({{{150, 250}, 1.5}});  // contradicts: counts, with the farthest found one
+  REQUIRE(other);
+  CHECK(other->max == Approx(3.5).epsilon(1e-3));
+  const FoundAxes axes{upright, found, {}, ends, {}};
+  Corrections corrections;
+  corrections.x.ticks = misread;
+  CHECK(hintsFrom(corrections, axes).axes.xMin == 0);
+  CHECK(hintsFrom(corrections, axes).axes.xMax == 4);
+}
+
 TEST_CASE("Corrections become the importer's hints; what is not given stays open") {
   Corrections corrections;
   CHECK(hintsFrom(corrections, {}) == importer::ImportHints{});

@@ -120,6 +120,13 @@ void drawFrame(PageView& view, importer::Point topLeft, importer::Point bottomRi
   QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
 }
 
+void typeInto(QLineEdit* edit, const char* text) {
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, text);
+  QTest::keyClick(edit, Qt::Key_Return);
+}
+
 bool settled(const ImportState& state) {
   const ImportGraph* graph = state.current();
   return !state.opening() && graph && graph->pending == 0 && graph->last;
@@ -158,6 +165,11 @@ class ImportDialogTest : public QObject {
   void aSampleIsImportedWithoutAWord();
   void anAxisIsCorrectedAndOnlyWhatDependsOnItRuns();
   void oneMisreadTickIsRetyped();
+  void aNamedTickKeepsTheOthers();
+  void anEndAgainstThePrintedNumbersIsDoubted();
+  void exchangedAxesAreRefusedByName();
+  void anotherQuantityIsAnHonestAnswer();
+  void aClickBeforeTheSearchEndsCounts();
   void unitsArePickedAndGoBackToFound();
   void aColourIsPickedOnThePage();
   void aMaskChangesTheTraceAndUndoRestores();
@@ -268,6 +280,135 @@ void ImportDialogTest::oneMisreadTickIsRetyped() {
   QVERIFY(std::abs(report(state).x->max - 2 * before.max) < 0.02 * before.max);
   QVERIFY(std::abs(report(state).x->min - before.min) < 0.01);
   QCOMPARE(state.current()->history.now().x.ticks.size(), std::size_t{1});
+}
+
+namespace {
+
+/// A drawing of sample C whose tick label of 1 mm is misprinted as 4.
+QString drawingWithAMisprint(const QTemporaryDir& folder) {
+  return drawingOfC(
+      folder, [](const QString&) { return false; },
+      [](QString& line) {
+        if (line.contains("x=\"209.50\" y=\"419.00\"")) line.replace(">1.0<", ">4.0<");
+      });
+}
+
+/// The same drawing with other axis titles.
+QString drawingTitled(const QTemporaryDir& folder, const QString& x, const QString& y) {
+  return drawingOfC(
+      folder, [](const QString&) { return false; },
+      [&](QString& line) { line.replace("Displacement (mm)", x).replace("Force (N)", y); });
+}
+
+}  // namespace
+
+// The labels 0, 0.5, 1.5 and on are right: naming the misprinted one uses them all.
+void ImportDialogTest::aNamedTickKeepsTheOthers() {
+  QTemporaryDir folder;
+  ShownView view({800, 600});
+  ImportState& state = view.state();
+  QVERIFY(open(state, drawingWithAMisprint(folder)));
+  const auto before = *report(state).x;
+  QCOMPARE(std::ranges::count_if(before.ticks, &importer::TickLabel::agrees), 8);
+  const auto& ticks = view.drawn().xTicks;
+  const auto misprint = std::ranges::find_if(ticks, [](const DrawnTick& tick) { return !tick.used; });
+  QVERIFY(misprint != ticks.end());
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, view.toWidget(misprint->at).toPoint());
+  auto* editor = view.findChild<QLineEdit*>("tickValue");
+  QVERIFY(editor);
+  editor->setText("1");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QVERIFY(again(state));
+  const auto& after = *report(state).x;
+  QCOMPARE(after.min, 0.0);
+  QCOMPARE(after.max, before.max);
+  QCOMPARE(std::ranges::count_if(after.ticks, &importer::TickLabel::agrees), 8);
+  QVERIFY(after.contradicting.empty());
+  QVERIFY(!report(state).doubt);
+}
+
+// "4.1" where the page prints 4.0: said in words, and nothing in the panel moves for it.
+void ImportDialogTest::anEndAgainstThePrintedNumbersIsDoubted() {
+  QTemporaryDir folder;
+  ShownDialog dialog;
+  dialog.openFile(drawingTitled(folder, "Displacement (mm)", "Force (N)"));
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(again(dialog.view->state()));
+  const auto rowsOfFields = [&] {
+    QList<int> rows;
+    for (const char* name : {"xMin", "xMax", "yMin", "yMax"})
+      rows << dialog.findChild<QLineEdit*>(name)->mapTo(&dialog, QPoint()).y();
+    return rows;
+  };
+  const QList<int> before = rowsOfFields();
+  auto* right = dialog.findChild<QLineEdit*>("xMax");
+  typeInto(right, "4.1");
+  QVERIFY(again(dialog.view->state()));
+  QVERIFY(!dialog.accept->isEnabled());
+  QVERIFY2(dialog.banner->isVisible() && dialog.banner->text().contains("contradict"),
+           qPrintable(dialog.banner->text()));
+  QCOMPARE(rowsOfFields(), before);
+  keepPicture(dialog, "given-against-labels");
+  typeInto(right, "4");
+  QVERIFY(again(dialog.view->state()));
+  QVERIFY(dialog.accept->isEnabled());
+  QCOMPARE(rowsOfFields(), before);
+  const auto& x = *report(dialog.view->state()).x;
+  QCOMPARE(std::ranges::count_if(x.ticks, &importer::TickLabel::agrees), 9);  // though the end was given
+}
+
+// The page says so; its frame, taken by hand, leads to the same refusal without a question.
+void ImportDialogTest::exchangedAxesAreRefusedByName() {
+  QTemporaryDir folder;
+  ShownDialog dialog;
+  ImportState& state = dialog.view->state();
+  dialog.openFile(drawingTitled(folder, "Force (gf)", "Travel (mm)"));
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
+  QVERIFY2(dialog.banner->text().contains("exchanged"), qPrintable(dialog.banner->text()));
+  QVERIFY(!state.current());
+  keepPicture(dialog, "exchanged");
+  QTest::mouseClick(dialog.view, Qt::LeftButton, {}, dialog.view->toWidget({300, 200}).toPoint());
+  QVERIFY(state.current());
+  QVERIFY(again(state));
+  QVERIFY2(dialog.banner->text().contains("exchanged"), qPrintable(dialog.banner->text()));
+  QVERIFY(!dialog.findChild<QPushButton*>("otherQuantity"));
+  QVERIFY(!dialog.accept->isEnabled());
+}
+
+// Force over time: none of the units is right, and there is a button that says so.
+void ImportDialogTest::anotherQuantityIsAnHonestAnswer() {
+  QTemporaryDir folder;
+  ShownDialog dialog;
+  ImportState& state = dialog.view->state();
+  dialog.openFile(drawingTitled(folder, "Time (s)", "Force (N)"));
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
+  QTest::mouseClick(dialog.view, Qt::LeftButton, {}, dialog.view->toWidget({300, 200}).toPoint());
+  QVERIFY(state.current());
+  QVERIFY(again(state));
+  auto* other = dialog.findChild<QPushButton*>("otherQuantity");
+  QVERIFY(other && other->isVisible());
+  keepPicture(dialog, "another-quantity");
+  QTest::mouseClick(other, Qt::LeftButton);
+  QVERIFY(state.current()->isOther());
+  QVERIFY(again(state));
+  QVERIFY2(dialog.banner->text().contains("no displacement"), qPrintable(dialog.banner->text()));
+  QVERIFY(!dialog.accept->isEnabled());
+  state.undo();
+  QVERIFY(again(state));
+  QVERIFY(!dialog.banner->text().contains("no displacement"));
+}
+
+void ImportDialogTest::aClickBeforeTheSearchEndsCounts() {
+  QTemporaryDir folder;
+  ShownView view;
+  ImportState& state = view.state();
+  state.openFile(drawingTitled(folder, "Force (gf)", "Travel (mm)"));
+  QTRY_VERIFY_WITH_TIMEOUT(state.sheet() || state.searchedPages() == 1, patience_ms);
+  if (state.searchedPages() == 1) QSKIP("the page was searched before it could be clicked");
+  QTest::mouseClick(&view, Qt::LeftButton, {}, view.toWidget({300, 200}).toPoint());
+  QVERIFY(!state.current());
+  QTRY_VERIFY_WITH_TIMEOUT(state.current(), patience_ms);
+  QVERIFY(again(state));
 }
 
 void ImportDialogTest::unitsArePickedAndGoBackToFound() {
@@ -915,13 +1056,6 @@ QString plotOfFallingForce(bool numbered) {
              .arg(x(3.95))
              .arg(y(95));
   return svg;
-}
-
-void typeInto(QLineEdit* edit, const char* text) {
-  edit->setFocus();
-  edit->selectAll();
-  QTest::keyClicks(edit, text);
-  QTest::keyClick(edit, Qt::Key_Return);
 }
 
 }  // namespace

@@ -640,6 +640,80 @@ TEST_CASE("ranges given by hand are kept") {
   CHECK(q.y == Approx(-10).margin(0.1));
 }
 
+TEST_CASE("printed numbers speak for given ends or against them") {
+  PlotStyle s;
+  auto looked = readWithoutCurves(s);
+  writeBelow(looked.view, s);
+  writeLeft(looked.view, s);
+  looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
+  looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
+  const auto readWith = [&](const AxisHints& hints) {
+    return readAxes(looked.view, looked.frame, hints).value().calibration;
+  };
+  const auto agreeing = [](const AxisReading& axis) {
+    return std::ranges::count_if(axis.ticks, &TickLabel::agrees);
+  };
+  AxisHints hints;
+  SECTION("ends as printed") {
+    hints.xMin = 0, hints.xMax = 4, hints.yMin = 0, hints.yMax = 120;
+    const auto axes = readWith(hints);
+    for (const AxisReading* axis : {&axes.value.x, &axes.value.y}) {
+      CHECK(axis->contradicting.empty());
+      CHECK(agreeing(*axis) == std::ssize(axis->ticks));
+    }
+    CHECK(axes.evidence.front().code == EvidenceCode::axisGivenAmongLabels);
+    CHECK(english(messageOf(axes.evidence.front())) == "x axis: given, 9 of 9 printed numbers agree");
+  }
+  SECTION("one end that is wrong by a tenth of a step") {
+    hints.xMax = 4.05;
+    const auto axes = readWith(hints);
+    CHECK(axes.value.x.min == 0);
+    CHECK(axes.value.x.max == 4.05);
+    REQUIRE_FALSE(axes.value.x.contradicting.empty());
+    CHECK(axes.value.x.contradicting.back() == "4");
+    CHECK(agreeing(axes.value.x) >= 1);  // those beside the other end
+    CHECK(axes.value.x.contradictedBy > 0.8);
+    CHECK(axes.value.y.contradicting.empty());
+  }
+  SECTION("a wrong end of force, beside a right one") {
+    hints.yMin = 0, hints.yMax = 12;
+    const auto axes = readWith(hints);
+    CHECK(axes.value.y.contradicting.size() == 6);  // all but 0
+    CHECK(axes.evidence.back().code == EvidenceCode::axisGivenAmongLabels);
+  }
+  SECTION("the same ends in another unit") {
+    hints.xMin = 0, hints.xMax = 4000, hints.xUnit = LengthUnit::micrometre;
+    hints.yMin = 0, hints.yMax = 1.2, hints.yUnit = ForceUnit::newton;
+    const auto axes = readWith(hints);
+    CHECK(axes.value.x.contradicting.empty());
+    CHECK(axes.value.y.contradicting.empty());
+  }
+}
+
+TEST_CASE("an uneven scale is named as the reason even where some of its labels fit a line") {
+  PlotStyle s;
+  auto looked = readWithoutCurves(s);
+  writeLeft(looked.view, s);
+  const char* travels[] = {"0", "0.1", "0.2", "0.3", "0.8", "1.7", "2.6", "3.5", "4.6"};
+  for (int k = 0; k <= s.xSteps; ++k) {
+    const double x = s.left + (s.right - s.left) * k / s.xSteps;
+    looked.view.texts.push_back({travels[k], {x - 15, 512, x + 15, 528}, 0});
+  }
+  looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
+  looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
+  AxisHints none, given;
+  given.xMin = 0, given.xMax = 4.6;
+  for (const AxisHints& hints : {none, given}) {
+    const auto axes = readAxes(looked.view, looked.frame, hints);
+    REQUIRE(axes);
+    const auto doubts = otherQuantitiesOf(axes->calibration.value);
+    REQUIRE(doubts.size() == 1);
+    CHECK(english(messageOf(doubts.front())) == "the x axis measures \"categories, not to scale\"");
+    CHECK_FALSE(doubts.front().remedies.include(RemedyKind::giveXUnit));  // no unit makes it even
+    CHECK_FALSE(doubts.front().remedies.empty());
+  }
+}
+
 TEST_CASE("what cannot be read is refused with a sentence") {
   if (skipWithoutEngine()) return;
   const auto looked = readingOfWhole(drawn({}));

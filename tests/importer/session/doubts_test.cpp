@@ -161,6 +161,28 @@ TEST_CASE("a unit that no title names is doubted, unless the page confirms it or
   CHECK(import.doubted(DoubtCode::otherQuantity));
 }
 
+TEST_CASE("given ends that contradict printed numbers are asked about, or reported if those are weak") {
+  Import import;
+  AxisReading& axis = import.graph.axes.calibration.value.x;
+  CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLabels));
+  axis.contradicting = {"2", "3"}, axis.contradictedBy = 0.9;
+  CHECK(import.doubted(DoubtCode::givenAgainstLabels));
+  const auto doubts = doubtsOf(import.findings(), import.checks, import.hints);
+  CHECK(english(messageOf(doubts.front().doubt)) ==
+        "the values given for the x axis contradict the numbers printed there (2, 3)");
+  axis.contradictedBy = 0.3;
+  CHECK(import.weighed(DoubtCode::givenAgainstLabels).value_or(0) >= confidenceBar);
+}
+
+TEST_CASE("axes that measure something else are the reason, whatever else is uncertain") {
+  Import import;
+  import.graph.axes.calibration.confidence = 0.1;
+  import.graph.axes.calibration.value.x.otherQuantity = "time";
+  const auto report = assembleReport(import.findings(), {}, {});
+  REQUIRE_FALSE(report.ok());
+  CHECK(report.failure().reason == nameOf(DoubtCode::otherQuantity));
+}
+
 TEST_CASE("thousands that may be decimals stay in doubt, whatever the unit") {
   Import import;
   const bool force = GENERATE(false, true);
@@ -650,6 +672,11 @@ TEST_CASE("colours do not say which of two scales of forces a curve belongs to")
   CHECK_FALSE(scales.doubted(DoubtCode::otherScale));  // the press alone, of the left graph as requested
   scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
   CHECK(scales.doubted(DoubtCode::otherScale));
+  // Both colours are given: drawing the same curves again would change nothing.
+  scales.hints.trace.releaseColor = Rgb{30, 30, 200};
+  for (const WeighedDoubt& each : doubtsOf(scales.findings(), scales.checks, scales.hints))
+    if (each.doubt.code == DoubtCode::otherScale)
+      CHECK_FALSE(each.doubt.remedies.include(RemedyKind::drawPress));
 }
 
 TEST_CASE("a second scale whose curve is known does not touch the strokes") {
@@ -751,11 +778,15 @@ TEST_CASE("what was given by hand is not asked for again, and something is alway
 TEST_CASE("after the last hint the strokes are drawn by hand, then the person's word counts") {
   ImportHints hints;
   hints.axes.xMin = 0, hints.axes.xMax = 4;
-  const Remedies wanted = RemedyKind::giveXAxis;
-  CHECK(commandLineWords(leftToTry(wanted, {})) == commandLineWords(wanted));
-  CHECK(commandLineWords(leftToTry(wanted, hints)).find("--press-line") != std::string::npos);
+  hints.trace.pressColor = Rgb{};
+  const Remedies ofAxes = RemedyKind::giveXAxis, ofCurves = RemedyKind::pickPress;
+  for (const Remedies& wanted : {ofAxes, ofCurves})
+    CHECK(commandLineWords(leftToTry(wanted, {})) == commandLineWords(wanted));
+  CHECK(commandLineWords(leftToTry(ofAxes, hints)).find("--sure") !=
+        std::string::npos);  // no line helps there
+  CHECK(commandLineWords(leftToTry(ofCurves, hints)).find("--press-line") != std::string::npos);
   hints.drawn.press = {{0, 0}, {1, 1}};
-  CHECK(commandLineWords(leftToTry(wanted, hints)).find("--sure") != std::string::npos);
+  CHECK(commandLineWords(leftToTry(ofCurves, hints)).find("--sure") != std::string::npos);
   CHECK(leftToTry({}, hints).empty());
 }
 
