@@ -24,8 +24,6 @@ using playback::MagneticKeySettings;
 constexpr QSize firstMagnetic_px{960, 620}, leastMagneticPlot_px{360, 300};
 constexpr double thin_px = 1, curve_px = 2, closed_px = 4, eventSize_px = 11;
 
-double halfTravel_mm(const ButtonState& state) { return state.graph.travel_mm() / 2; }
-
 }  // namespace
 
 MagneticDialog::MagneticDialog(Button button, const DisplayUnits& units, QWidget* parent)
@@ -42,60 +40,9 @@ MagneticDialog::MagneticDialog(Button button, const DisplayUnits& units, QWidget
       movement_(new QCPAxisRect(plot_)) {
   setObjectName(QStringLiteral("magneticDialog"));
   setWindowTitle(tr("Export for a magnetic keyboard"));
-  const ButtonState& state = button_.states().front();
-  const MagneticKeySettings first =
-      playback::settingsFor(state, state.operatingPoint_mm.value_or(halfTravel_mm(state)));
-  const playback::RapidTrigger usual;
-  auto* form = new QFormLayout;
-  actuate_ = lengthField(*form, "magneticActuate", tr("&Actuation point:"),
-                         tr("Displacement at which the key closes"), first.actuate_mm);
-  reset_ = lengthField(*form, "magneticReset", tr("&Release point:"),
-                       tr("Displacement at which the key opens on its way up"), first.reset_mm);
-  rapid_ = choice(*form, "magneticRapid", tr("Rapid &trigger"),
-                  tr("The key opens and closes with the direction of the movement"));
-  press_ = lengthField(*form, "magneticPress", tr("&Press distance:"),
-                       tr("The key closes this far below the highest place"), usual.press_mm);
-  release_ = lengthField(*form, "magneticRelease", tr("Release &distance:"),
-                         tr("The key opens this far above the deepest place"), usual.release_mm);
-  continuous_ = choice(*form, "magneticContinuous", tr("&Continuous"),
-                       tr("Rapid trigger lasts until the key is fully released, not only below the "
-                          "release point"));
-  top_ = lengthField(*form, "magneticTop", tr("T&op dead zone:"),
-                     tr("First part of the travel, in which the key is always open"), 0);
-  bottom_ = lengthField(*form, "magneticBottom", tr("&Bottom dead zone:"),
-                        tr("Last part of the travel, in which the key is always closed"), 0);
-  down_ = lengthField(*form, "magneticDown", tr("Presses go do&wn to:"),
-                      tr("End of both presses of the drawn movement"), first.travel_mm);
-  up_ = lengthField(*form, "magneticUp", tr("and &up to:"),
-                    tr("Displacement at which the second press of the drawn movement begins"),
-                    first.actuate_mm / 2);
-  auto* read = plainButton("magneticRead", tr("R&eadings…"),
-                           tr("Read what your sensor shows over the travel from a CSV file"));
-  readings_->setText(tr("Readings are assumed: a magnet of the usual size."));
-  connect(read, &QPushButton::clicked, this, [this] {
-    const QString file =
-        QFileDialog::getOpenFileName(this, tr("Readings of the sensor"), {}, tr("CSV") + " (*.csv)");
-    if (!file.isEmpty()) readSensor(file);
-  });
-
-  auto* choices = new QVBoxLayout;
-  choices->addLayout(form);
-  choices->addWidget(read);
-  choices->addWidget(readings_);
-  choices->addStretch(1);
-  movement_->setupFullAxesBox();
-  plot_->plotLayout()->addElement(1, 0, movement_);
-  putLegendAbove(*plot_);
-  auto* margins = new QCPMarginGroup(plot_);
-  for (QCPAxisRect* rect : {plot_->axisRect(), movement_}) {
-    rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
-    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft})
-      rect->axis(side)->setTicker(QSharedPointer<UnitTicker>::create());
-  }
-  movement_->axis(QCPAxis::atLeft)->setRangeReversed(true);
-  plot_->setMinimumSize(leastMagneticPlot_px);
+  setUpPlot();
   auto* columns = new QHBoxLayout;
-  columns->addLayout(choices);
+  columns->addLayout(choices());
   columns->addWidget(plot_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   accept_ = described(buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole),
@@ -111,6 +58,63 @@ MagneticDialog::MagneticDialog(Button button, const DisplayUnits& units, QWidget
   showChoice();
 }
 
+QLayout* MagneticDialog::choices() {
+  const ButtonState& state = button_.states().front();
+  const MagneticKeySettings first =
+      playback::settingsFor(state, state.operatingPoint_mm.value_or(state.graph.travel_mm() / 2));
+  const playback::RapidTrigger usual;
+  auto* form = new QFormLayout;
+  actuate_ = lengthField(*form, "magneticActuate", tr("&Actuation point:"),
+                         tr("Displacement at which the key closes"), first.actuate_mm);
+  reset_ = lengthField(*form, "magneticReset", tr("&Release point:"),
+                       tr("Displacement at which the key opens on its way up"), first.reset_mm);
+  rapid_ = checkBox(*form, "magneticRapid", tr("Rapid &trigger"),
+                    tr("The key opens and closes with the direction of the movement"));
+  press_ = lengthField(*form, "magneticPress", tr("&Press distance:"),
+                       tr("The key closes this far below the highest place"), usual.press_mm);
+  release_ = lengthField(*form, "magneticRelease", tr("Release &distance:"),
+                         tr("The key opens this far above the deepest place"), usual.release_mm);
+  continuous_ = checkBox(*form, "magneticContinuous", tr("&Continuous"),
+                         tr("Rapid trigger lasts until the key is fully released, not only below the "
+                            "release point"));
+  top_ = lengthField(*form, "magneticTop", tr("T&op dead zone:"),
+                     tr("First part of the travel, in which the key is always open"), 0);
+  bottom_ = lengthField(*form, "magneticBottom", tr("&Bottom dead zone:"),
+                        tr("Last part of the travel, in which the key is always closed"), 0);
+  down_ = lengthField(*form, "magneticDown", tr("Presses go do&wn to:"),
+                      tr("End of both presses of the drawn movement"), first.travel_mm);
+  up_ = lengthField(*form, "magneticUp", tr("and &up to:"),
+                    tr("Displacement at which the second press of the drawn movement begins"),
+                    first.actuate_mm / 2);
+  auto* read = plainButton("magneticRead", tr("Readin&gs…"),
+                           tr("Read what your sensor shows over the travel from a CSV file"));
+  readings_->setText(tr("Readings are assumed: a magnet of the usual size."));
+  connect(read, &QPushButton::clicked, this, [this] {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Readings of the sensor"), {}, tr("CSV") + " (*.csv)");
+    if (!file.isEmpty()) readSensor(file);
+  });
+  auto* column = new QVBoxLayout;
+  column->addLayout(form);
+  column->addWidget(read);
+  column->addWidget(readings_);
+  column->addStretch(1);
+  return column;
+}
+
+void MagneticDialog::setUpPlot() {
+  plot_->plotLayout()->addElement(1, 0, movement_);
+  putLegendAbove(*plot_);
+  auto* margins = new QCPMarginGroup(plot_);
+  for (QCPAxisRect* rect : {plot_->axisRect(), movement_}) {
+    rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft})
+      rect->axis(side)->setTicker(QSharedPointer<UnitTicker>::create());
+  }
+  movement_->axis(QCPAxis::atLeft)->setRangeReversed(true);
+  plot_->setMinimumSize(leastMagneticPlot_px);
+}
+
 QuantityField* MagneticDialog::lengthField(QFormLayout& form, const char* name, const QString& label,
                                            const QString& tip, double value_mm) {
   auto* field = described(new QuantityField(Quantity::length, units_), QString::fromLatin1(name), tip, tip);
@@ -123,8 +127,8 @@ QuantityField* MagneticDialog::lengthField(QFormLayout& form, const char* name, 
   return field;
 }
 
-QCheckBox* MagneticDialog::choice(QFormLayout& form, const char* name, const QString& text,
-                                  const QString& tip) {
+QCheckBox* MagneticDialog::checkBox(QFormLayout& form, const char* name, const QString& text,
+                                    const QString& tip) {
   auto* box = described(new QCheckBox(text), QString::fromLatin1(name), tip);
   form.addRow(box);
   connect(box, &QCheckBox::toggled, this, &MagneticDialog::showChoice);
@@ -178,8 +182,7 @@ void MagneticDialog::draw() {
   plot_->clearPlottables();
   plot_->clearItems();
   const GraphColors colors = dressPlot(*plot_);
-  for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft, QCPAxis::atTop, QCPAxis::atRight})
-    dressAxis(*movement_->axis(side), colors);
+  for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) dressAxis(*movement_->axis(side), colors);
   plot_->yAxis->setLabel(tr("Force (%1)").arg(units_.forceSymbol()));
   movement_->axis(QCPAxis::atBottom)->setLabel(tr("Displacement (%1)").arg(units_.lengthSymbol()));
   movement_->axis(QCPAxis::atLeft)->setLabel(tr("Distance moved (%1)").arg(units_.lengthSymbol()));
@@ -194,7 +197,8 @@ void MagneticDialog::draw() {
     const QString at = quantityWithUnit(event.displacement_mm, Quantity::length, units_, 4);
     words << (event.closes ? tr("closes at %1").arg(at) : tr("opens at %1").arg(at));
   }
-  events_->setText(words.isEmpty() ? tr("The key stays open.") : tr("The key %1.").arg(words.join(", ")));
+  const QString said = words.isEmpty() ? tr("The key stays open.") : tr("The key %1.").arg(words.join(", "));
+  events_->setText(refusal_->text().isEmpty() ? said : QString());
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -242,13 +246,16 @@ void MagneticDialog::drawMovement(const std::vector<KeyEvent>& events) {
                                     [&](const KeyEvent& point) { return point.path_mm > path_mm; });
     points.insert(after, {path_mm, turns[i], after != points.begin() && std::prev(after)->closes});
   }
+  bool named = false;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const KeyEvent &from = points[i - 1], &to = points[i];
     auto* leg = new QCPCurve(x, y);
     for (const KeyEvent& point : {from, to})
       leg->addData(units_.lengthFrom(point.displacement_mm), units_.lengthFrom(point.path_mm));
     leg->setPen(from.closes ? QPen(colors.operatingPoint, closed_px) : QPen(colors.text, thin_px));
-    leg->removeFromLegend();
+    leg->setName(tr("Key closed"));
+    if (!from.closes || named) leg->removeFromLegend();
+    named |= from.closes;
   }
   x->setRange(plot_->xAxis->range());
   y->setRange(0, units_.lengthFrom(std::max(path_mm, button_.states().front().graph.travel_mm())));

@@ -36,9 +36,11 @@ class MagneticDialog : public QDialog {
   void changeEvent(QEvent* event) override;
 
  private:
+  QLayout* choices();
+  void setUpPlot();
   QuantityField* lengthField(QFormLayout& form, const char* name, const QString& label, const QString& tip,
                              double value_mm);
-  QCheckBox* choice(QFormLayout& form, const char* name, const QString& text, const QString& tip);
+  QCheckBox* checkBox(QFormLayout& form, const char* name, const QString& text, const QString& tip);
   void showChoice();
   void draw();
   void drawCurves(const std::vector<playback::KeyEvent>& events);

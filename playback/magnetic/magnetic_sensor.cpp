@@ -45,8 +45,8 @@ Result<MagneticSensor> MagneticSensor::fromPairs(std::vector<SensorPair> pairs, 
                                                  const std::string& subject) {
   if (!(noise >= 0 && noise <= mostNoise))
     return Failure{FailureCode::wrongUsage, Subject::option("--noise"), "",
-                   "is not within 0 and 1000000 counts",
-                   "Give the standard deviation of the readings at rest"};
+                   Message("is not within 0 and 1000000 counts"),
+                   Message("Give the standard deviation of the readings at rest")};
   if (pairs.size() < 2)
     return unusable(subject, "", Message("holds fewer than two pairs"),
                     Message("Measure readings at several places of the travel"));
