@@ -2774,10 +2774,6 @@ Lizenz: %3</translation>
         <translation>Geben Sie jeder Zahl in „%1“ eine Einheit.</translation>
     </message>
     <message>
-        <source>“%1” is too large. Type a smaller number.</source>
-        <translation>„%1“ ist zu groß. Geben Sie eine kleinere Zahl ein.</translation>
-    </message>
-    <message>
         <source>%1 is unusually high. Press Enter again to keep it.</source>
         <translation>%1 ist ungewöhnlich hoch. Drücken Sie noch einmal die Eingabetaste, um den Wert zu behalten.</translation>
     </message>
@@ -2860,6 +2856,10 @@ Lizenz: %3</translation>
     <message>
         <source>%1 – takes %2 times as long as a draft, error %3 % of the axis</source>
         <translation>%1 – braucht %2-mal so lange wie ein Entwurf, Fehler %3 % der Achse</translation>
+    </message>
+    <message>
+        <source>“%1” is too large, or divides by zero. Type another number.</source>
+        <translation>„%1“ ist zu groß oder teilt durch null. Geben Sie eine andere Zahl ein.</translation>
     </message>
 </context>
 <context>
