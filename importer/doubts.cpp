@@ -122,7 +122,7 @@ std::array<int, 2> timesOver(const std::vector<double>& ofPress, const std::vect
   const auto between = [](std::size_t a, std::size_t b) { return static_cast<double>(b - a); };
   std::array<int, 2> times{};
   std::optional<std::size_t> lastApart, first;  // column where they were apart; where they came together
-  std::size_t last = 0;                         // where they were together
+  std::size_t last = 0;                         // last column where they were together
   for (std::size_t x = 0; x < ofPress.size(); ++x) {
     const double apart_px = std::abs(ofPress[x] - ofRelease[x]);
     if (std::isnan(apart_px)) lastApart.reset(), first.reset();

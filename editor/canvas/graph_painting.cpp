@@ -18,7 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("GraphPainting
 
 // With more knots they are drawn small, because circles would hide the curve and cost time.
 constexpr std::size_t fewKnots = 120;
-constexpr std::size_t fewFlags = 4;  // valleys with a label of their own
+constexpr std::size_t fewFlags = 4;  // with more valleys than this, their labels would cover the curve
 constexpr double longestResidual_px = 60;
 
 QColor withAlpha(QColor color, double alpha) {
@@ -103,7 +103,7 @@ QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
   return pen;
 }
 
-// The other state, or the strokes that a drag has changed, as they were.
+// Draws the other state's strokes, or those that a drag has changed as they were before it.
 void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene, const ForceGraph& graph) {
   painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {

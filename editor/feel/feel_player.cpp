@@ -63,7 +63,7 @@ void FeelPlayer::setProgram(std::shared_ptr<const playback::LiveProgram> program
   }
 }
 
-// At once: what was held is gone, and the next button must not find it pressed.
+// Ends a press at once, so that the next button does not start pressed.
 void FeelPlayer::letGo() {
   const Finger held = std::exchange(finger_, Finger::none);
   if (!player_) return;

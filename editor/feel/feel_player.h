@@ -22,7 +22,7 @@ enum class SoundState {
   starting,  ///< the device is being opened; the finger is followed silently meanwhile
   on,
   lost,   ///< the device went away; it is taken up again when it is back
-  failed  ///< it could not be opened; trouble() says why and what to do
+  failed  ///< the device could not be opened; trouble() says why and what to do
 };
 
 /// Source of force readings besides the pad.
@@ -47,7 +47,7 @@ class FeelPlayer : public QObject {
 
   /// Allows a press to open the sound device. Off closes it.
   void setSoundWanted(bool wanted);
-  /// Another device, rate or buffer; opened again if one is open.
+  /// Changes the sound device, rate or buffer; an open device is opened again.
   void setOutput(const playback::PlayerSettings& settings);
   const playback::PlayerSettings& output() const { return output_; }
   /// Opens the device now, or once more after a failure. The first press does so by itself.

@@ -16,7 +16,7 @@ namespace detent::editor {
 struct DraftGraph {
   GraphId id;
   Corrections corrections;
-  bool framedByHand = false;  ///< it was not found: it is there because a frame was drawn
+  bool framedByHand = false;  ///< the frame was drawn by the user, not found
   friend bool operator==(const DraftGraph&, const DraftGraph&) = default;
 };
 

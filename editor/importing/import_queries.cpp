@@ -55,7 +55,7 @@ Result<importer::ImportSession> openPasted(const OpenPicture& query) {
 
 Answer ImportAnswers::answer(const Query& query, const importer::Progress& progress) {
   if (const auto* file = std::get_if<OpenFile>(&query)) {
-    session_.reset();  // its memory first
+    session_.reset();  // frees the memory of the previous file first
     return open(importer::ImportSession::open(QFile::encodeName(file->path).toStdString()),
                 QFileInfo(file->path).fileName());
   }

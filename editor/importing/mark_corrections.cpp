@@ -9,7 +9,7 @@
 namespace detent::editor {
 namespace {
 
-// Of a jump that is added: shares of the travel and of the force there.
+// size of an added jump: share of the travel, and of the force there
 constexpr double newJumpWidth = 0.05, newJumpDrop = 0.1;
 
 using CorrectionKind = MarkCorrection::Kind;

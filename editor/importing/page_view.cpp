@@ -25,7 +25,7 @@ constexpr double leastZoom = 0.02, mostZoom = 200;  // widget pixels per page un
 
 constexpr int valueField_px = 96;
 
-// Where one was set at this place already it is that one's value.
+// Sets a tick. If one exists at this place, its value is replaced.
 void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size_t> replaces = {}) {
   auto same = std::find_if(axis.ticks.begin(), axis.ticks.end(),
                            [&](const AxisTick& other) { return other.at == tick.at; });

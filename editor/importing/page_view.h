@@ -62,8 +62,8 @@ class PageView : public QWidget {
   /// A point kept on the page.
   importer::Point onPage(importer::Point page) const;
   GraphColors colors() const;
-  /// Of the labels: those of the page's axes, so that a person can compare both; without a graph, those
-  /// shown.
+  /// Units of the labels: those of the page's axes, so that a person can compare both; without a graph, the
+  /// display units.
   DisplayUnits units() const;
   /// Colour of the mark nearest to a point: the pixel that differs most from the background around it.
   std::optional<QColor> curveColorAt(QPointF widget) const;

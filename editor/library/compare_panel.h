@@ -41,9 +41,9 @@ class ComparePanel : public QWidget {
   void compare(ButtonDocument* first, ButtonDocument* second);
   /// True if the button is one of those compared.
   bool compares(const ButtonDocument& document) const;
-  /// These and no others, at most `mostSides`; of one alone there are two sides.
+  /// Compares exactly these, at most `mostSides`; a single one is shown on both sides.
   void compare(std::vector<ButtonDocument*> documents);
-  /// One more beside those compared.
+  /// Adds a button to those compared.
   void add(ButtonDocument* document);
 
   /// The table with units as CSV text; for the clipboard.

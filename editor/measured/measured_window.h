@@ -37,7 +37,7 @@ struct MeasuredContext {
   std::function<std::vector<ButtonDocument*>()> documents;
   /// Opens buttons, each in a tab.
   std::function<void(const std::vector<Button>&)> open;
-  /// Likewise, and over each other in the comparison.
+  /// Opens buttons, each in a tab, and overlays them in the comparison.
   std::function<void(const std::vector<Button>&)> compare;
   // The user's choice; empty: cancelled.
   std::function<QString(QWidget*parent)> libraryFile, folder;

@@ -45,7 +45,7 @@ class KeyedPage : public QWidget {
   QPushButton* makeButton(const PageButton& button, const std::function<void()>& act);
   /// A pad that acts when it goes down, not when it comes up.
   QPushButton* makePad(const PageButton& button, const std::function<void()>& act);
-  /// Likewise; it stays down while it is what is under the finger.
+  /// A pad that acts when it goes down, and stays down while its button is the one being pressed.
   QPushButton* makeFeelButton(const PageButton& button, const std::function<void()>& act);
 
   /// A text of any length: it can be moved with the arrows and the page keys.

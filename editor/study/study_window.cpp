@@ -370,7 +370,7 @@ void StudyWindow::refresh() {
   trial_->showQuestion(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(ask, howWords()));
 }
 
-/// Puts it under the finger; what was done with the one before belongs to that one.
+/// Puts a stimulus under the finger, and books presses so far to the one before.
 void StudyWindow::feel(std::size_t slot) {
   if (!controller_ || away_ || (slot == controller_->slotOfX() && !controller_->hasX())) return;
   controller_->felt(work_.player->takeFelt());

@@ -49,7 +49,7 @@ QJsonObject axesJson(const QCustomPlot& plot) {
 
 QJsonArray transformJson(const QTransform& t) { return {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}; }
 
-// The result may still move the page.
+// Returns true while an import may still change what the page shows.
 bool isReading(const ImportState& state) {
   return state.opening() || state.working() || (state.isOpen() && state.searchedPages() < state.pageCount());
 }

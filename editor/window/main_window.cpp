@@ -862,7 +862,8 @@ void MainWindow::print(DocumentTab& tab) {
       messageTime_ms);
 }
 
-// Out of every table and list, and back: graph, values and what stands with them, feel, library.
+// Moves the keyboard focus to the next or previous panel, also out of tables and lists: graph, inspector,
+// feel, library.
 void MainWindow::focusNextPanel(int by) {
   QList<QWidget*> panels;
   if (DocumentTab* tab = tabs_->current(); tab && view_ != CentreView::compare)

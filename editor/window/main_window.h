@@ -67,7 +67,7 @@ class MainWindow : public QMainWindow {
   void compareWith(ButtonDocument* other);
   /// These, the first as the one differences are counted from; shows the view.
   void compareAll(const std::vector<ButtonDocument*>& documents);
-  /// The same of files, which are opened where they are not yet.
+  /// Compares the buttons of files; opens those that are not open yet.
   void compareFiles(const QStringList& paths);
   void morph(DocumentTab& tab);
   DocumentTab& addComputed(const Button& button);
@@ -203,8 +203,7 @@ class MainWindow : public QMainWindow {
   TabMenu editMenu_, toolMenu_, viewMenu_;
   QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
-  bool sessionHeld_ =
-      true;  ///< what is stored of the session stays as it is: nothing is open yet, or all of it closes
+  bool sessionHeld_ = true;  ///< do not store the session: no file is open yet, or all are closing
 };
 
 }  // namespace detent::editor

@@ -782,8 +782,7 @@ class ColumnFinder {
     weigh(column);
   }
 
-  /// Of a title that names a condition no word says which quantity was measured: "0 cycles (N)" counts no
-  /// cycles.
+  /// Marks a title that names a condition, not a quantity: "0 cycles (N)" counts no cycles.
   static void settleRecordName(DataColumn& column) {
     using Kind = ColumnUnit::Kind;
     column.namesRecord =

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The other way in: tables of a force meter, whatever they are kept in. Which columns are what is decided
-// between interpretations (interpret_columns.h). JSON and projects that keep strokes apart:
-// recorded_switches.h.
+// Tables of force meters as an input, in any kind of file. Interpretations compete for the columns
+// (interpret_columns.h). JSON and projects that keep strokes apart: recorded_switches.h.
 
 #include <map>
 #include <string>

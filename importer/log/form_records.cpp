@@ -398,8 +398,9 @@ class RecordFormer {
   // -- strokes joined to records --------------------------------------------------------------------------------
 
   static constexpr double kWhole = 0.6;          // share of the longest press: an aborted one is less
-  static constexpr double kLeastRelease = 0.12;  // the same: less is a twitch
-  static constexpr double kMoved = 0.03;         // the same: less is where the stage stopped by chance
+  static constexpr double kLeastRelease = 0.12;  // share of the longest press; shorter releases are twitches
+  static constexpr double kMoved =
+      0.03;  // share of the longest press; less is where the stage stopped by chance
 
   void joinRun(const std::vector<FoundStroke>& strokes) {
     double longest = 0;
@@ -433,7 +434,7 @@ class RecordFormer {
       if (open && made_.records[*open].release.empty() && each.travel >= kLeastRelease * longest) {
         made_.records[*open].release = each.points;
       } else if (open && resumed) {
-        // The way up was held and went on: what lies further up.
+        // The stage paused on the way up and went on: append the part above the pause.
         std::vector<CurvePoint>& release = made_.records[*open].release;
         const double reached = release.back().displacement_mm;
         for (const CurvePoint& p : each.points)

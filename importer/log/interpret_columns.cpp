@@ -290,7 +290,7 @@ class Interpreter {
         }
       }
     }
-    // The same in another unit or from another place: the first of them.
+    // Columns with the same readings in another unit or place count once: the first one is kept.
     Columns kept;
     for (const std::size_t c : all) {
       const bool copy = std::ranges::any_of(kept, [&](std::size_t other) {

@@ -343,7 +343,7 @@ double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
 /// two switches. A release that ends below the press reaches less in both directions.
 bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.1;    // of both strokes' span; 123 drawn pairs have 0.013 at most
-  constexpr double clearTravel = 0.02;  // the same; those pairs have 0
+  constexpr double clearTravel = 0.02;  // of both strokes' span; 0 in those pairs
   const double higher = topsApart(first, second, &CurvePoint::force_N),
                further = topsApart(first, second, &CurvePoint::displacement_mm);
   return higher * further < 0 && std::abs(higher) > clearForce && std::abs(further) > clearTravel;

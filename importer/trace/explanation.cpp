@@ -419,7 +419,7 @@ std::vector<TraceJump> overDashes(const ExplainedPlot& plot) {
   const double diagonal_px = std::hypot(frame.width(), frame.height());
   std::vector<TraceJump> jumps;
   for (const Drawn& each : plot.drawn()) {
-    if (each.fromVector) continue;  // its own pieces show what belongs together
+    if (each.fromVector) continue;  // pieces of vector paths already show which dashes belong together
     const std::vector<Point> points = densified(each.points, 1);
     const auto isGap = [&](Point p) { return plot.isGap(p, each); };
     std::vector<Stretch> dashed = dashedStretches(points, each.thickness_px, isGap);

@@ -22,7 +22,7 @@ struct ColourSeen {
   bool runsOver = false;              ///< touches its upper or lower edge
   int bulgeLeft = 0, bulgeRight = 0;  ///< columns where it lies above and below the band; 0 and 0 without any
   int pixels = 0, left = 0, right = 0, top = 0,
-      bottom = 0;  ///< how many, and where they lie; tints count fully
+      bottom = 0;  ///< number of pixels and their extent; tints count fully
 
   void add(int x, int y) {
     left = pixels > 0 ? std::min(left, x) : x, right = pixels > 0 ? std::max(right, x) : x;
@@ -138,8 +138,8 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Palet
 
 using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
 
-/// Of several texts beside a colour, those in line with another colour's text, if any: an edge of a letter
-/// elsewhere on the page may have the colour by chance.
+/// Returns the texts beside a colour. Of several, only those in line with another colour's text, if any: an
+/// edge of a letter elsewhere on the page may have the colour by chance.
 std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
   if (all[of].size() < 2) return all[of];
   std::vector<SeenText> inLine;

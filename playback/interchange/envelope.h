@@ -33,7 +33,7 @@ struct EnvelopeStep {
   double amplitude = 0;           ///< of the sine with the energy of this step, at most 1
   double frequency_Hz = 0;        ///< of the strongest sound in it
   EventKind strongest = EventKind::grain;
-  bool onset = false;  ///< it begins with a jump or a bottom-out
+  bool onset = false;  ///< the step begins with a jump or a bottom-out
 };
 
 /// Steps of at least `step_s`, except that each jump and bottom-out begins a new one (`onsets`: their least

@@ -15,7 +15,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double highestFrequency_Hz = 2000;
-constexpr double lowestBottomOut_Hz = 1;  // it lasts at least half a wave
+constexpr double lowestBottomOut_Hz = 1;  // a bottom-out vibration lasts at least half a wave
 constexpr double sharpestResonance = 1e4;
 constexpr double largestCoefficient = 1e9;  // N; the linear quantity of a divider may be as small as 1e-3
 constexpr double largestNoise_N = 50, longestLatency_s = 10;

@@ -32,7 +32,7 @@ void DirectionProof::firstPush(double position_mm) {
   } else if (time_s_ < longestPush_s) {
     return;
   } else {
-    return begin(position_mm, -push_);  // it may be at a stop, so the other direction is tried
+    return begin(position_mm, -push_);  // the handle may be at a stop, so the other direction is tried
   }
   farthest_mm_ = position_mm;
   turns_ = 1;

@@ -127,7 +127,7 @@ class ForceGuard {
   std::uint32_t bad_ = 0, good_ = 0;
   double pace_mm_ = 0;                 ///< distance per period at the last good reading
   double since_ = 0;                   ///< periods since the last good reading, including this one
-  double unseen_ = 0;                  ///< number of these without information
+  double unseen_ = 0;                  ///< number of periods since then without information from the encoder
   double jumps_ = 0;                   ///< recent absurd readings
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the position was accepted without proof

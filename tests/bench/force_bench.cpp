@@ -55,8 +55,8 @@ class PaperLaw {
   bool pressing_ = true;
 };
 
-// Another program that runs in between lengthens any step. The steps are the same in every pass: the least
-// time of a step is its own.
+// Other programs lengthen some steps. The steps are the same in every pass, so the least time of each step
+// over all passes is its own.
 void stepTimes() {
   constexpr std::size_t steps = 10000000;
   constexpr int passes = 5;

@@ -161,7 +161,7 @@ Outcomes withWeights(const std::vector<Pair>& pairs, const FeelWeights& weights)
   return outcomes;
 }
 
-/// Of every pair, there and back, with the weights that are best for all others in both directions.
+/// Judges each pair in both directions, with the weights that are best for all other pairs.
 std::pair<Outcomes, Outcomes> leavingOneOut(const std::vector<Pair>& there, const std::vector<Pair>& back) {
   std::vector<std::pair<Outcomes, Outcomes>> tried;
   for (const FeelWeights& weights : candidates())
@@ -181,7 +181,7 @@ std::pair<Outcomes, Outcomes> leavingOneOut(const std::vector<Pair>& there, cons
   return judged;
 }
 
-/// Another way to compare: what it makes of the differences, there (1) and back (-1).
+/// Another way to compare: a function of the differences and the direction (1: there, -1: back).
 struct Method {
   const char* name;
   std::function<std::vector<FeelDifference>(std::vector<FeelDifference>, double way)> of;

@@ -33,7 +33,7 @@ struct Scene {
   std::string title;
   double at_s = 0;                          ///< when it happens
   std::vector<double> force_N;              ///< one a period
-  std::function<double(double)> allowed_N;  ///< over time since it happened
+  std::function<double(double)> allowed_N;  ///< allowed force over the time since the fault
 };
 
 /// A hand of 2 N/mm rests on the handle at a depth; faults come at `at_s`.

@@ -415,7 +415,7 @@ void MonkeyTest::randomCorrectionsOfAnImportAreUndone() {
     if (i % 7 == 0) QTest::qWait(1);
     if (i % 100 != 0) continue;
     QVERIFY(afterUndoingAll() == first);
-    state.acceptAll();  // what is ticked among it, with the monkey's next steps in between
+    state.acceptAll();  // imports the ticked graphs; the monkey goes on meanwhile
   }
   QVERIFY(afterUndoingAll() == first);
   // Whatever came of the imports on the way (on a slow machine nothing): one that nobody disturbs gives its

@@ -106,7 +106,8 @@ void SimulatedBoard::run_us(double duration_us) {
     const int state = avr_run(avr_);
     if (state == cpu_Done || state == cpu_Crashed)
       throw std::runtime_error("the simulated processor crashed");
-    // Its two bytes are written one after the other: what stands for less than four instructions is neither old nor new.
+    // The stack pointer's two bytes are written one after the other, so a value that lasts less than four
+    // instructions is half written and does not count.
     recentStack_[recent_++ % 4] = avr_->data[stackPointer] | avr_->data[stackPointer + 1] << 8;
     const int stack = *std::max_element(std::begin(recentStack_), std::end(recentStack_));
     if (stack > 0 && stack < lowestStack_) lowestStack_ = stack;

@@ -54,7 +54,7 @@ struct ForceBoard : SimulatedBoard {
     while (duty() > 0 && time_us() < began_us + most_us) run_us(50);
     return time_us() - began_us;
   }
-  /// `F` or `H` so many times, `every_us` apart; the last answer.
+  /// Sends `F` or `H` the given number of times, `every_us` apart; returns the last answer.
   std::string keepAsking(const std::string& letterAndForce, int times, double every_us = 4000) {
     std::string answer;
     for (int i = 0; i < times; ++i) {

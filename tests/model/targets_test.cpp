@@ -218,7 +218,7 @@ TEST_CASE("how far a search goes is the same on every machine") {
     sentences.insert(quick.conflict->failure.sentence());
     decided.insert(!quick.conflict->undecided);
   }
-  CHECK(sentences.size() > 1);  // what was allowed did decide
+  CHECK(sentences.size() > 1);  // the allowed effort did change results
   CHECK(decided.size() == 2);
 }
 

@@ -140,7 +140,7 @@ class ImportDialogTest : public QObject {
   }
   static bool again(ImportState& state) {
     const bool done = QTest::qWaitFor([&] { return settled(state); }, patience_ms);
-    QTest::qWait(1);  // what is shown follows the answer
+    QTest::qWait(1);  // the view is updated after the answer
     return done;
   }
   static const importer::ImportReport& report(const ImportState& state) {
@@ -239,7 +239,7 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
   state.undo();
   QVERIFY(again(state));
   QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - travel_mm) < 1e-9);
-  QVERIFY(!report(state).seconds.count(importer::ImportStep::axes));  // what was found was kept
+  QVERIFY(!report(state).seconds.count(importer::ImportStep::axes));  // the axes were kept, not read again
 }
 
 void ImportDialogTest::oneMisreadTickIsRetyped() {
@@ -261,7 +261,7 @@ void ImportDialogTest::oneMisreadTickIsRetyped() {
   QVERIFY(!state.working());
   QTest::qWait(1);
   editor = view.findChild<QLineEdit*>("tickValue");
-  QVERIFY(editor);  // it waits for a number
+  QVERIFY(editor);  // the field waits for a number
   editor->setText(QString::number(2 * value));
   QTest::keyClick(editor, Qt::Key_Return);
   QVERIFY(again(state));
@@ -537,7 +537,7 @@ void ImportDialogTest::theLastGoodResultStays() {
   QCOMPARE(state.current()->good, good);
   QSignalSpy accepted(&state, &ImportState::accepted), stopped(&state, &ImportState::acceptStopped);
   state.acceptAll();
-  QCOMPARE(accepted.count(), 0);  // what is shown is not what is set
+  QCOMPARE(accepted.count(), 0);  // the shown result is not yet that of the settings
   QCOMPARE(stopped.count(), 1);
   state.undo();
   QVERIFY(again(state));
@@ -743,13 +743,14 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QVERIFY(frame);
   const double scale = std::abs(view.pageToWidget().m11());
   QVERIFY(std::abs((*frame)[1].x - (corners[1].x - 30 / scale)) < 2 / scale);
-  for (const std::size_t other : {0u, 2u, 3u}) QCOMPARE((*frame)[other], corners[other]);  // it goes freely
+  for (const std::size_t other : {0u, 2u, 3u})
+    QCOMPARE((*frame)[other], corners[other]);  // one corner moves alone
   keepPicture(view, "implied-grid");
   state.undo();
   QVERIFY(again(state));
   QVERIFY(drag(Qt::ControlModifier));
   frame = state.current()->history.now().frame;
-  QCOMPARE((*frame)[2].x, (*frame)[1].x);  // it stays a rectangle
+  QCOMPARE((*frame)[2].x, (*frame)[1].x);  // with Ctrl the frame stays a rectangle
   QCOMPARE((*frame)[0].y, (*frame)[1].y);
   QCOMPARE((*frame)[3], corners[3]);
   state.undo();
@@ -979,7 +980,7 @@ void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   QCOMPARE(max->selectedText(), all);
 }
 
-// Behind the last box nothing is left to scroll to, and nothing is squeezed for that.
+// The panel cannot be scrolled beyond its last box, and no box is squeezed.
 void ImportDialogTest::findingsEndWithTheirLastBox() {
   ViewSettings settings;
   ImportState state;
@@ -1187,7 +1188,7 @@ void ImportDialogTest::aTickOfAFrameAskewStandsWhereItWasClicked() {
   }
 }
 
-// A screen of 1366x768 at twice the size leaves 683x384: what ends the work is still in reach.
+// A screen of 1366x768 at twice the size leaves 683x384: the buttons at the bottom must still be visible.
 void ImportDialogTest::theDialogueFitsSmallScreens() {
   ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));

@@ -150,7 +150,7 @@ void AnnotationsPanelTest::theOffsetOfferedIsThatOfTheStrokes() {
 
   rig.canvas().setSelected(tactile);
   for (int i = 0; i < 40; ++i) rig.key(Qt::Key_Up);
-  QVERIFY(offset->value() > offered_N);  // of the strokes as they are now
+  QVERIFY(offset->value() > offered_N);  // the offset of the present strokes
   panel.findChild<QCheckBox*>("linkRelease")->click();
   const double linked_N = offset->value();
   rig.document.history().apply(

@@ -527,7 +527,7 @@ void PanelsTest::historyListJumps() {
   const Button first = rig.button();
   rig.click(rig.pixel(tactile));
   rig.key(Qt::Key_Up);
-  rig.key(Qt::Key_C);  // another kind of step
+  rig.key(Qt::Key_C);  // a step of another kind, which does not merge
   const Button last = rig.button();
   auto* view = panel.findChild<QUndoView*>("historyView");
   QCOMPARE(view->model()->rowCount(), rig.steps() + 1);

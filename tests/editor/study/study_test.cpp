@@ -791,7 +791,7 @@ class StudyTest : public QObject {
     window->close();
   }
 
-  /// Of a machine that does not wake who waits, a stamp cannot be trusted to the millisecond.
+  /// On a machine that wakes waiting threads late, a time stamp is not exact to the millisecond.
   void aPressIsAsExactAsTheMachineIsPunctual() {
     Rig rig;
     rig.makeTimed(playback::TimingTask::cue, 1);
@@ -842,7 +842,7 @@ class StudyTest : public QObject {
     QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
     rig.finger->ahead_s += 10;
     QTest::qWait(50);
-    QCOMPARE(rig.record().interruptions, std::size_t{3});  // who pauses misses nothing
+    QCOMPARE(rig.record().interruptions, std::size_t{3});  // a pause is no interruption
     QTest::keyClick(window, Qt::Key_Return);
     rig.finger->lost = true;
     QTRY_VERIFY(trouble().contains("disconnected"));
@@ -872,7 +872,7 @@ class StudyTest : public QObject {
     rig.finger->ahead_s += 4;
     QTRY_VERIFY(rig.record().complete());
     const playback::Answer answer = rig.record().answers[0].answer;
-    QCOMPARE(answer.presses_s.size(), std::size_t{3});  // what came before the trial is none of it
+    QCOMPARE(answer.presses_s.size(), std::size_t{3});  // presses before the trial do not count
     QVERIFY(std::abs(answer.presses_s[2] - 0.4) < 1e-6);
     QCOMPARE(answer.pressWithin_s, 0.002);
     QVERIFY(QString::fromStdString(rig.record().sessions[0].route.timing->press).startsWith("sensor"));

@@ -217,7 +217,7 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   QVERIFY(near(rig.canvas().values().press.tactile[0].force_N, 0.7, 1e-3));
   QVERIFY(rig.canvas().feedback().refused->why.contains("70"));  // in the units shown, cN
   rig.move(from + QPointF(5, 10));
-  rig.move(rig.pixel(3.99, 0.7));  // another way to the same place
+  rig.move(rig.pixel(3.99, 0.7));  // another path to the same place
   QVERIFY(rig.button() == limit);
   QVERIFY(rig.canvas().feedback().refused.has_value());
   QVERIFY(rig.canvas().feedback().refused->why.contains("outside its flanks"));
@@ -227,7 +227,7 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   QVERIFY(said.last().at(0).toString().contains("Esc"));  // the hint of the drag
   rig.release(from + QPointF(14, -14));
   QCOMPARE(rig.steps(), 1);
-  // Where it stands now, not where it was taken.
+  // The message names the point's new place, not the place before the drag.
   const TactilePoint moved = rig.canvas().values().press.tactile[0];
   const Mark now{{MarkKind::tactilePoint, Stroke::press, 0}, {moved.displacement_mm, moved.force_N}};
   QCOMPARE(said.last().at(0).toString(), describe(now, rig.settings.units()));

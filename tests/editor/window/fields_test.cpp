@@ -294,7 +294,7 @@ class FieldsTest : public QObject {
     QVERIFY(seen > 0);
   }
 
-  // Of many buttons the tabs scroll; none is left without a name.
+  // With many buttons the tabs scroll, and each keeps a readable name.
   void namesOfButtonsAreReadInTheirTabs() {
     ViewSettings settings;
     TabArea area(new WelcomePage({}), settings);

@@ -190,7 +190,7 @@ QString textSeen(const QWidget& widget) {
   return {};
 }
 
-/// Those that are seen besides the main window. One that closes may take others with it.
+/// Visible windows besides the main window. Guarded pointers, because closing one may close others.
 QList<QPointer<QWidget>> windowsBeside(const Rig& rig) {
   QList<QPointer<QWidget>> windows;
   for (QWidget* window : QApplication::topLevelWidgets())
@@ -219,7 +219,7 @@ double outlineContrast(const QImage& picture, const QRect& control, const QColor
   return best;
 }
 
-/// Of a window what is seen of it, of a page in a scroll area the whole.
+/// Collects texts that are cut off: in the visible part of a window, and in the whole page of a scroll area.
 void collectCutTexts(QWidget& window, const QString& where) {
   QTest::qWait(50);
   const QImage seen = window.grab().toImage();
@@ -785,7 +785,7 @@ class WindowTest : public QObject {
       rig.action(name)->trigger();
       QVERIFY2(seen() == before, name);
       QCOMPARE(canvas.mapping().toPixel(1.6, 0.65), place_px);
-      QTest::qWait(20);  // what was put off
+      QTest::qWait(20);  // lets delayed work run
       QVERIFY2(seen() == before, name);
     }
   }
@@ -1031,7 +1031,7 @@ class WindowTest : public QObject {
     rig.window->tabs().remove(*rig.window->tabs().current());
     rig.window->files().open({button});
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
-    // Where traced points are shown they are wanted.
+    // Traced points are loaded when they are shown.
     rig.action("viewResiduals")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
   }
@@ -1320,7 +1320,7 @@ class WindowTest : public QObject {
     QTRY_VERIFY(isDark(canvas.palette()));
   }
 
-  // Of a self-locking button a note alone does not say where it stands.
+  // A note of a self-locking button is printed with its state.
   void printsNotesWithTheirState() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/EF.button.json")});
@@ -1395,7 +1395,7 @@ class WindowTest : public QObject {
       RecoveryStore dead(at("recovery"));
       dead.keepImport(textOf(draft));
       dead.flush();
-      // Its lock goes with it, its file stays, as after a kill.
+      // The destructor releases the lock and leaves the file, as a killed program does.
     }
     Rig rig(folder_->path());
     rig.window->files().offerRecovery();

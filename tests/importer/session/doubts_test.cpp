@@ -218,7 +218,7 @@ TEST_CASE(
   CHECK(import.weighed(DoubtCode::curveLeftOver));
   left.likeness = 0;
   paint({20, 20, 20}, 1);
-  CHECK(import.weighed(DoubtCode::curveLeftOver));  // another state's line
+  CHECK(import.weighed(DoubtCode::curveLeftOver));  // a line of the other state is left over
   paint({20, 20, 20}, -1);
   CHECK(import.doubts().empty());
   paint(stroke.color, -1);
@@ -252,7 +252,7 @@ TEST_CASE(
     }
   };
   paint(0.5, 3.2);
-  paint(3, 0.5);  // its sample in the legend
+  paint(3, 0.5);  // the line's key in the legend
   CHECK(import.doubts().empty());
   paint(0.3, 1.2);
   CHECK(import.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar);

@@ -61,7 +61,7 @@ TEST_CASE("A hint runs the steps that depend on it and no others") {
   request.hints.axes = {};
   const ImportReport again = imported(session, request);
   CHECK(again.button.states() == found.button.states());
-  CHECK(again.seconds.count(ImportStep::axes) == 0);  // what was found was kept
+  CHECK(again.seconds.count(ImportStep::axes) == 0);  // the axes were kept, not read again
 
   request.hints.strokes.swap = true;
   CHECK(imported(session, request).seconds.count(ImportStep::trace) == 0);
@@ -255,7 +255,7 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
   const Box box = listed->graphs.front().frame;
   ImportRequest request = firstGraph();
   const ImportReport first = imported(session, request);
-  ImportRequest large = request;  // its view alone is more than what is kept
+  ImportRequest large = request;  // the view of this request alone exceeds the memory kept
   large.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
   large.hints.dpi = 900;
   imported(session, large);

@@ -212,7 +212,7 @@ TEST_CASE("Two names of one switch's strokes, and of two switches", "[legend]") 
   CHECK_FALSE(mayBeOnePair("Switch A", "Switch B"));
   CHECK_FALSE(mayBeOnePair("downstroke_a", "downstroke_b"));
   CHECK_FALSE(mayBeOnePair("Brown press", "Red release"));
-  // The other's short name may not be read.
+  // An empty name is a short name that was not read; a name with wear is another switch's.
   for (const char* worn : {"after 1 million strokes", "500k cycles", "nach 10^6 Schaltspielen", "100万次后"})
     CHECK_FALSE(mayBeOnePair("", worn));
   CHECK(mayBeOnePair("press, 3 cycles", "release, 3 cycles"));

@@ -543,7 +543,7 @@ TEST_CASE("What runs along the frame's upper line after a leap over bare paper i
   CHECK(std::abs(left.x - plot.at(0, 0).x) < 1);
   CHECK(std::abs(right.x - plot.at(0.7, 0).x) < 3);
   CHECK(traces[0].width_px.size() == traces[0].points_px.size());
-  // Where its pixels lead up there, it goes on.
+  // Curve pixels lead up to the edge here, so nothing is cut.
   plot.line(plot.at({{0.7, 0.8}, {0.69, 1}}), 2, kBlue);
   traces = {stroke};
   trace::cutAcrossToEdges(traces, plot.scene());

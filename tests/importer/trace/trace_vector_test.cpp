@@ -199,7 +199,7 @@ TEST_CASE("words of a legend's row are their own sample's alone") {
   drawing.stroke({{500, 80}, {540, 80}});
   drawing.color = {55, 126, 184};
   drawing.stroke(release);
-  drawing.stroke({{606, 80}, {646, 80}});  // its own words were not read
+  drawing.stroke({{606, 80}, {646, 80}});  // the legend key of the curve whose text was not read
   drawing.axes.texts = {{"Old", {545, 72, 580, 88}, 1, 0}};
   const auto traces = drawing.traced();
   REQUIRE(traces.size() == 2);

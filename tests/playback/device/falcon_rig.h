@@ -28,7 +28,7 @@ class FalconRig {
   std::atomic<std::uint64_t> packets{0};  ///< good ones
 
   // Faults.
-  std::atomic<int> badEchoes{0};  ///< so many uploads are spoilt in the middle
+  std::atomic<int> badEchoes{0};  ///< number of uploads that are spoilt in the middle
   enum class Answer : std::uint8_t { good, none, half, twice, nonsense };
   std::atomic<Answer> answer{Answer::good};
 

@@ -323,7 +323,7 @@ TEST_CASE("serial force device: another button takes the table's place, without 
     CHECK(rising_N > 0);
     CHECK(rising_N < 5 * 0.011 / 0.2);  // along the ramp
     board.exchanges(40);
-    // It came to rest at 2 mm from above nothing: between release and press.
+    // The force came to rest at 2 mm between release and press, because it rose from 0.
     const StrokeCurve& release = *other.states().front().graph.release();
     CHECK(board.force_N() > release.force_N(2) - 0.02);
     CHECK(board.force_N() < pressAt2_N(other) + 0.02);

@@ -130,7 +130,7 @@ TEST_CASE("force guard: a count that stops dead out of a movement takes the forc
     CHECK(force_N == Approx(c.gone ? 0 : c.force_N).margin(1e-9));
     CHECK((guard.counts().frozen > 0) == c.gone);
     CHECK(guard.halt() == ForceHalt::none);
-    at_mm += 2 * step_mm;  // it stood at something hard
+    at_mm += 2 * step_mm;  // leaves the hard stop
     stay(1);
     for (int i = 0; i < 20; ++i) {
       at_mm += 2 * step_mm;

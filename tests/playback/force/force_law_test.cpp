@@ -157,7 +157,7 @@ TEST_CASE("force law: a finger never gets back more than it gave") {
         run.run(1.5, [&](const ForceStep& step) { most_mJ = std::max(most_mJ, step.energy_mJ); });
         INFO(device.name << ", " << name << ", press " << i);
         CHECK(run.leastFingerWork_mJ() >= -1e-6);
-        // At the motor, sampled: what a period hides is a percent of what was in it.
+        // The balance at the motor is sampled once in a period, which hides up to a percent of the energy.
         CHECK(run.engine().lowestBalance_mJ() >= -0.02 - 0.01 * most_mJ);
         CHECK(run.engine().counts().frozen == 0);
       }

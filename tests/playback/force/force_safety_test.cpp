@@ -30,8 +30,8 @@ ForceDeviceProfile bench(double rate_Hz = 1000) {
 
 constexpr double longestTravel_mm = 100;
 
-/// Its force reaches the limit at 20 mm and its travel ends at the longest there is: no position here lies
-/// beyond it.
+/// A spring that reaches the limit of force at 20 mm and has the longest allowed travel, so that no position
+/// here lies beyond it.
 Button longSpring() {
   const Result<Button> button = springButton("long spring", {{0.25}, {}, longestTravel_mm});
   REQUIRE(button);

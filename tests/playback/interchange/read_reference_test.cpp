@@ -474,7 +474,7 @@ TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
     double furthest = 0, furthest_Hz = 0;
     std::size_t points = 0;
     for (const WavePoint& point : mine.waves.front().points) {
-      // Of a step, the side that is meant.
+      // At a step both sides have this time; the nearer one counts.
       double nearest = 1, nearest_Hz = 1000;
       for (const PlayedWave& other : otherWaves.waves) {
         for (const WavePoint& there : other.points) {

@@ -22,7 +22,7 @@ Button sampleButton(const std::string& name);
 /// Throws with the sentence of the failure: a test that cannot be set up has failed.
 playback::ForceProgram preparedFor(const Button& button, const playback::ForceDeviceProfile& device,
                                    const playback::ForceSettings& settings = {});
-/// A device of the product as the handle it says it is.
+/// Settings of a simulated handle with the figures of a device profile.
 HandleSettings handleOf(const playback::ForceDeviceProfile& device);
 
 struct LoopSettings {

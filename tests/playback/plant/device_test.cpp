@@ -215,10 +215,10 @@ namespace {
 
 struct Exchanged {
   double largest_N = 0, gone_s = -1,
-         risen_s = -1;    ///< of the exchange: when the force went, when it was back
+         risen_s = -1;    ///< times at which the force was gone and was back, from the exchange on
   double overRamp_N = 0;  ///< above the ramp since it began to rise
   double worst_N = 1e9;   ///< table against the other button's, either stroke
-  int rowsSent = 0;       ///< those lost on the way included
+  int rowsSent = 0;       ///< rows sent, including lost ones
   std::string refused{};
 };
 

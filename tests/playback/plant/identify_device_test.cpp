@@ -26,7 +26,7 @@ constexpr double range_mm = 10;
 struct KnownDevice {
   HandleSettings handle;
   double step_mm = 0.001, delay_s = 0.001, rate_Hz = 1000;
-  double pauses_s = 0;  ///< of the computer: so long, every 0.4 s
+  double pauses_s = 0;  ///< length of the computer's pauses, one every 0.4 s
   /// The loop begins its periods by up to so much late, drawn for each; its force goes out with the next.
   double wakesLate_s = 0;
 };

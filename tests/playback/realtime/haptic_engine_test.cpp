@@ -437,7 +437,7 @@ TEST_CASE("engine: fast strokes keep their vibration, and nothing constant") {
     CHECK(level < slow * 2);
     CHECK(mean < 0.01);
   }
-  settings.grainCarrier = GrainCarrier::retriggered;  // what it was: lost at 50 mm/s
+  settings.grainCarrier = GrainCarrier::retriggered;  // the former carrier, which lost level at 50 mm/s
   settings.highPass_Hz = 20;
   CHECK(levelAt(50).first < slow / 2);
 }

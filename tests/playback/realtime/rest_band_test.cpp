@@ -57,7 +57,7 @@ TEST_CASE("rest band: what does not swing passes bit for bit, slow or fast") {
   CHECK(same([](double t) { return 0.6 + 0.5 * sineAt(t, 7); }));      // taps as fast as fingers go
   CHECK(same([](double t) { return 0.6 + 0.04 * sineAt(t, 1); }));     // to and fro, deliberately
   CHECK(same([](double t) { return t < 3 ? 0.8 : 0.2; }));             // a step
-  CHECK(same([](double t) { return 0.5 + 0.0004 * sineAt(t, 50); }));  // of no consequence
+  CHECK(same([](double t) { return 0.5 + 0.0004 * sineAt(t, 50); }));  // too small to matter
   CHECK(same([](double t) { return 1.2 * std::exp(-t) * (t < 5 ? 1 : 0.5); }));
 }
 

@@ -254,7 +254,7 @@ TEST_CASE("a table that is too wide says above its rows what many of them share"
   CHECK(tableText(table) == "Title\n  who                   " + std::string(30, 'n') + "\n  " + near +
                                 ":\n  " + name + "1 " + right + "7\n  " + name + "2 " + right + "7\n  " +
                                 far + ":\n  " + name + "1 " + right + "7\n  " + name + "2 " + right + "7\n");
-  table.columns[0].heading = std::string(90, 'n');  // it cannot be: nothing is lost
+  table.columns[0].heading = std::string(90, 'n');  // a heading wider than the table: no value is lost
   CHECK_THAT(tableText(table), Catch::Contains(name + "2"));
 }
 

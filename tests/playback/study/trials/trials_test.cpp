@@ -449,7 +449,7 @@ TEST_CASE("journal: a line changed, taken out or added by hand is named") {
     REQUIRE(records->size() == 2);
     REQUIRE(records->front().damage);
     CHECK(records->front().answers.empty());
-    CHECK(records->back().answers.size() == 2);  // it costs that person only
+    CHECK(records->back().answers.size() == 2);  // the damage costs that participant only
     const StudyResults results = resultsOf(*made.study, *records);
     CHECK(results.rows.size() == 2);
     CHECK(results.warnings.front().find("P01 is left out") == 0);
@@ -490,8 +490,7 @@ TEST_CASE("journal: whole lines cut off its end, emptied or gone, it is noticed"
     std::ofstream(headFileOf(file), std::ios::binary) << worthless;
     CHECK(damaged());
   }
-  fs::remove(
-      headFileOf(file));  // what it would tell is not known then, and the journal says that it was there
+  fs::remove(headFileOf(file));  // the journal says that a head file existed
   CHECK(damaged());
   std::ofstream(headFileOf(file), std::ios::binary) << head;
   CHECK_FALSE(readParticipants(*made.study)->front().damage);
@@ -548,7 +547,7 @@ TEST_CASE("results: a person whose journal was taken out of the folder with its 
   };
   CHECK_FALSE(warned());
   fs::remove(made.folder() / "participants" / "P02.jsonl");
-  CHECK_FALSE(warned());  // its head shows it
+  CHECK_FALSE(warned());  // the head file shows that the participant existed
   fs::remove(made.folder() / "participants" / "P02.head");
   CHECK(warned());
 }
