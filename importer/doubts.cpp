@@ -29,13 +29,13 @@ constexpr double unconfirmed = 0.4;   // the page does not say
 constexpr double inPart = 0.6;        // the reading is right but incomplete: reported, not refused
 
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke
-constexpr double leastTurn = 0.06;            // of the force span: a force meter's noise is smaller
-// of the stroke's span: the start of a trace is noisier than its middle
+constexpr double leastTurn = 0.06;            // share of the force span: a force meter's noise is smaller
+// share of the stroke's span: the start of a trace is noisier than its middle
 constexpr double negativeShare = 0.05;
-constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span; of the release
-constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke's length
-constexpr double endFallShare = 0.4;                            // of the force span
-constexpr double startShare = 0.1;  // of the travel: a force that is largest there pulls, like a magnet
+constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // share of the span; share of the release
+constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // share of the stroke's length
+constexpr double endFallShare = 0.4;                            // share of the force span
+constexpr double startShare = 0.1;  // share of the travel: a force that is largest there pulls, like a magnet
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // the release of a latching key has half of the press' travel
 // A button that springs back does so to the end. A release that stops half-way, near the press, was traced
@@ -164,7 +164,7 @@ bool stepsOverAndBack(const StrokePair& strokes) {
 /// the plot's own lines: the frame was cut too short. A thin line between two rows has its colour in about
 /// every second column.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
-  constexpr double farShare = 0.04, nearlyAll = 0.9;  // of the frame's width; of the columns
+  constexpr double farShare = 0.04, nearlyAll = 0.9;  // share of the frame's width; share of the columns
   constexpr double apart_px = 3;                      // from a line of the plot
   const Box box = frame.box();
   const auto isLine = [&](int y) {
@@ -202,7 +202,7 @@ double shareAlongAnAxis(const std::vector<Point>& line) {
 
 /// Drop of the force over the last stretch of travel, as a share of the stroke's span.
 double fallAtEnd(const StrokePoints& press) {
-  constexpr double lastShare = 0.03;  // of the travel
+  constexpr double lastShare = 0.03;  // share of the travel
   const Extent travel = travelOf(press), force = forceOf(press);
   double highest = press.points.back().force_N;
   for (const CurvePoint& p : press.points)
@@ -212,7 +212,7 @@ double fallAtEnd(const StrokePoints& press) {
 
 /// The stroke without the bottom-out at its end.
 StrokePoints withoutBottomOut(StrokePoints stroke) {
-  constexpr double plumb = 0.004;  // of the travel
+  constexpr double plumb = 0.004;  // share of the travel
   const double within_mm = plumb * travelOf(stroke).span(), end_mm = stroke.points.back().displacement_mm;
   const auto beside = std::find_if(stroke.points.rbegin(), stroke.points.rend(), [&](const CurvePoint& p) {
     return std::abs(p.displacement_mm - end_mm) > within_mm;
@@ -225,7 +225,7 @@ StrokePoints withoutBottomOut(StrokePoints stroke) {
 
 /// Returns true if the force is least at the stroke's end.
 bool softestAtItsEnd(const StrokePoints& stroke) {
-  constexpr double within = 0.03;  // of the force span
+  constexpr double within = 0.03;  // share of the force span
   const Extent force = forceOf(stroke);
   return stroke.points.back().force_N <= force.low + within * force.span();
 }
@@ -242,7 +242,7 @@ bool fallsThroughout(const StrokePoints& press) {
 /// Returns true if a press has its largest force at its start. The stroke of a key begins where the finger
 /// meets it, so its force is small there.
 bool hardestAtItsStart(const StrokePoints& press) {
-  constexpr double ofHighest = 0.9;  // of the largest force
+  constexpr double ofHighest = 0.9;  // share of the largest force
   const Extent force = forceOf(press);
   return press.points.front().force_N >= ofHighest * force.high &&
          press.points.front().force_N - force.low > endFallShare * force.span();
@@ -305,8 +305,8 @@ double sharedTravel(const StrokePair& strokes) {
 /// Returns true if the press begins far to the right of the release's end, and not near zero force. A press
 /// must start near zero force; otherwise its beginning was not traced.
 bool pressBeginsLate(const StrokePair& strokes) {
-  constexpr double late = 0.1, nothing = 0.25;  // of the travel; of the press' largest force
-  constexpr double plumb = 0.01;                // of the travel: the press of a locked key rises vertically
+  constexpr double late = 0.1, nothing = 0.25;  // share of the travel; share of the press' largest force
+  constexpr double plumb = 0.01;  // share of the travel: the press of a locked key rises vertically
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
   const double travel_mm = press.high - release.low;
   double begin_N = std::numeric_limits<double>::max();
@@ -489,7 +489,7 @@ class Doubts {
   /// Doubts a press that was traced alone for a switch chosen among several, if pixels of its colour continue
   /// above or below it over much of its travel: its release, or the real press, is another line.
   void ownColourBeside() {
-    constexpr double mostShare = 0.25;  // of its columns; a legend key takes less
+    constexpr double mostShare = 0.25;  // share of its columns; a legend key takes less
     constexpr double apart_px = 4;      // distance from pixels that are explained
     const StrokePair& strokes = findings_.strokes.value;
     if (hints_.strokes.curve.empty() || strokes.release || findings_.graph.view.raster.rgb.empty()) return;
@@ -643,7 +643,7 @@ class Doubts {
       sayAt(most->box_px.middle(), DoubtCode::curveLeftOver,
             most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
-        0.1;  // of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
+        0.1;  // share of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
     // of the travel of a curve that was traced alone; a dotted line has half
     constexpr double mostBeside = 0.4;
@@ -718,7 +718,7 @@ class Doubts {
   /// Doubts curves of which the plot shows only a part.
   void edges(const StrokePoints& stroke) {
     constexpr double atEdge_px = 2;
-    constexpr double nearShare = 0.02;  // of the frame's height, by which a scale may be off
+    constexpr double nearShare = 0.02;  // share of the frame's height, by which a scale may be off
     constexpr double plumbShare = 0.02;
     std::vector<Point> line = stroke.points_px;
     if (line.empty()) return;
@@ -755,7 +755,7 @@ class Doubts {
     constexpr double onBaseline_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
     constexpr double noticeable = 0.03;                // of the axis' range; of the travel
     constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge where a curve dips below it
-    constexpr double mostHidden = 0.15;   // of the travel: with more, the button would feel different
+    constexpr double mostHidden = 0.15;   // share of the travel: with more, the button would feel different
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const auto& corners = findings_.graph.frame.value.corners;
     const Point lowest = axes.toUnits(corners[3]);
@@ -910,7 +910,7 @@ class Doubts {
   /// Returns true if a line falls monotonically from left to right and has hardly any stroke's colour: an
   /// arrow or a leader. No stroke falls so.
   bool isMark(const Remainder& left) const {
-    constexpr double mostOfStrokes = 0.4;  // of its pixels: smoothed rims have any colour
+    constexpr double mostOfStrokes = 0.4;  // share of its pixels: smoothed rims have any colour
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const Point low = axes.toUnits({left.box_px.x0, left.box_px.y1}),
                 high = axes.toUnits({left.box_px.x1, left.box_px.y0});

@@ -973,7 +973,7 @@ double misfitOf(const StrokePoints& stroke, const StrokeCurve& fitted) {
 
 /// Misfit as a factor of the confidence: 1 up to a hundredth of the span, 0 from a twentieth on.
 double fitConfidence(const StrokePair& strokes, const FittedStrokes& fitted) {
-  constexpr double right = 0.01, wrong = 0.05;  // of the force span
+  constexpr double right = 0.01, wrong = 0.05;  // share of the force span
   double misfit = misfitOf(strokes.press, fitted.press.curve);
   if (strokes.release && fitted.release)
     misfit = std::max(misfit, misfitOf(*strokes.release, fitted.release->curve));

@@ -534,7 +534,7 @@ bool liesOnTwoCurves(const std::vector<CurvePoint>& points) {
 
 bool holdsSortedLoop(const std::vector<CurvePoint>& points) {
   constexpr std::size_t fewest = 12;
-  constexpr double mostTurns = 0.4;  // of all points; a traced stroke has a handful
+  constexpr double mostTurns = 0.4;  // share of all points; a traced stroke has a handful
   if (points.size() < fewest) return false;
   const auto [low, high] = std::ranges::minmax(points, {}, &CurvePoint::force_N);
   const double least = 0.01 * (high.force_N - low.force_N);

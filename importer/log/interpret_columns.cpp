@@ -58,7 +58,7 @@ bool isPeakHold(const DataColumn& a, const DataColumn& b) {
     held += std::abs(a.values[i]) < most;
     ++count;
   }
-  constexpr double within = 0.005;  // of the span, on average
+  constexpr double within = 0.005;  // share of the span, on average
   return count >= 8 && held * 20 >= count && span > 0 && off / static_cast<double>(count) < within * span;
 }
 
@@ -75,7 +75,7 @@ double proportionOf(const DataColumn& a, const DataColumn& b) {
   double worst = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i)
     if (!std::isnan(a.values[i])) worst = std::max(worst, std::abs(b.values[i] - k * a.values[i]));
-  constexpr double within = 0.004;  // of the span: the last digit of a coarse one
+  constexpr double within = 0.004;  // share of the span: the last digit of a coarse one
   return worst <= within * (b.high - b.low) ? k : 0;
 }
 
@@ -92,7 +92,7 @@ bool isSum(const DataTable& data, std::size_t total, const Columns& others) {
     if (std::isnan(sum) || std::isnan(data.columns[total].values[i])) continue;
     worst = std::max(worst, std::abs(sum - data.columns[total].values[i]));
   }
-  constexpr double within = 0.02;  // of the span
+  constexpr double within = 0.02;  // share of the span
   const DataColumn& column = data.columns[total];
   return column.high > column.low && worst <= within * (column.high - column.low);
 }
@@ -503,7 +503,7 @@ class Interpreter {
           x = column(g.displacement).values[i], f = column(g.force).values[i];
       return f;
     };
-    constexpr double within = 0.02;  // of the span
+    constexpr double within = 0.02;  // share of the span
     return std::abs(at(a) - at(b)) <= within * (column(a.force).high - column(a.force).low);
   }
 

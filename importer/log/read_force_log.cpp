@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kMostText_bytes = std::size_t{256} << 20;
 constexpr std::size_t kMostArchive_bytes = std::size_t{32} << 20;
 constexpr std::size_t kMostSamples = std::size_t{1} << 20;
-constexpr double kSameButton = 0.01;  // of the span: readings that differ by less give one button
+constexpr double kSameButton = 0.01;  // share of the span: readings that differ by less give one button
 constexpr double kStrokesApart = 6;   // evidence of a file that keeps strokes apart being a log
 
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -745,7 +745,7 @@ class LogReader {
     if (shift_mm == 0) {
       // A stage's place is no travel; a press that starts at rest starts at zero.
       constexpr double farShare = 0.5, nearShare = 0.005,
-                       restShare = 0.06;  // of the travel, of the highest force
+                       restShare = 0.06;  // share of the travel; share of the highest force
       const bool atRest = std::abs(press.front().force_N) < restShare * highest_N;
       double lowest_mm = start_mm;  // of both strokes: a release that ends below the press measures from zero
       for (const CurvePoint& p : release) lowest_mm = std::min(lowest_mm, p.displacement_mm);
@@ -860,7 +860,7 @@ class LogReader {
     const auto [least, most] = std::ranges::minmax(run, {}, &TimedPlace::place_mm);
     const double range_mm = most.place_mm - least.place_mm;
     if (!(range_mm > 0)) return;
-    constexpr double endShare = 0.1;  // of the travel, at each end: there a stroke begins and stops
+    constexpr double endShare = 0.1;  // share of the travel, at each end: there a stroke begins and stops
     const double low_mm = least.place_mm + endShare * range_mm, middle_mm = least.place_mm + 0.5 * range_mm,
                  high_mm = most.place_mm - endShare * range_mm;
     // When a place is passed, straight between samples; from `at` on.

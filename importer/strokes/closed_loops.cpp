@@ -85,7 +85,7 @@ bool endFarApart(const CurvePath& a, const CurvePath& b) {
 /// not cross.
 double crossedShare(const CurvePath& a, const CurvePath& b) {
   constexpr int columns = 100;
-  constexpr double clear = 0.02;  // of the height
+  constexpr double clear = 0.02;  // share of the height
   const double height_px = a.room_px.joined(b.room_px).height();
   const double from_px = std::max(a.room_px.x0, b.room_px.x0), to_px = std::min(a.room_px.x1, b.room_px.x1);
   int above = 0, below = 0;
@@ -121,7 +121,7 @@ double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
 /// not: of 238 pairs of drawn presses none ended within 0.03 of each other, of 550 switches 523 within 0.01.
 bool endInOnePoint(const CurvePath& a, const CurvePath& b) {
   constexpr Apart closed{0.03, 0.01, 0.025};
-  constexpr double mostGap = 0.005;  // of their common bounding box
+  constexpr double mostGap = 0.005;  // share of their common bounding box
   return endTogether(a, b, closed) && gapAtTheEnds(a, b) <= mostGap;
 }
 
@@ -129,14 +129,14 @@ bool endInOnePoint(const CurvePath& a, const CurvePath& b) {
 /// also cross, along part of the release near the common end.
 bool cross(const CurvePath& a, const CurvePath& b) {
   constexpr double least = 0.08,
-                   ofTwoSnaps = 0.28;  // of the columns; 17 drawn keys with two snaps have 0.23 at most
+                   ofTwoSnaps = 0.28;  // share of the columns; 17 drawn keys with two snaps have 0.23 at most
   return crossedShare(a, b) > (endInOnePoint(a, b) ? ofTwoSnaps : least);
 }
 
 }  // namespace
 
 bool onlyFalls(const CurveTrace& trace) {
-  constexpr double rippleShare = 0.02;  // of the fall; traced points are noisy
+  constexpr double rippleShare = 0.02;  // share of the fall; traced points are noisy
   // sideways: on a steep fall a small sideways error is a large one in force
   constexpr double waver_px = 1.5;
   const CurvePath path = pathOf(trace);

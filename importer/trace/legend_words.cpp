@@ -36,7 +36,7 @@ struct ColourSeen {
   }
   /// Returns true for a line with a curve's marker in its middle.
   bool isMarkedLine() const {
-    constexpr double end = 0.2;  // of the line's length, on both sides of its marker
+    constexpr double end = 0.2;  // share of the line's length, on both sides of its marker
     const int length = right - left + 1;
     return !runsOver && bulgeLeft - left > end * length && right - bulgeRight > end * length;
   }
@@ -223,7 +223,7 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
 /// The trace in whose colour alone a text is written.
 std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<PaletteColour>& colours,
                                           const Raster& raster, Color3 paper) {
-  // of a text's pixels; of the colour's strength, at its darkest
+  // share of a text's pixels; share of the colour's strength, at its darkest
   constexpr double nearlyAll = 0.8, full = 0.5;
   std::vector<double> ownSizes(colours.size(), 0);
   std::vector<float> darkest(colours.size(), 0);
@@ -350,7 +350,7 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
 
 /// Share of a key's columns with its colour, from the first to the last; 0 without a key beside the word.
 double drawnShareBeside(const Box& word, const PaletteColour& colour, const Raster& raster, Color3 paper) {
-  constexpr double least = 0.8;    // of the word's height, in dark pixels
+  constexpr double least = 0.8;    // share of the word's height, in dark pixels
   constexpr float strong = 0.35F;  // of the colour
   double share = 0;
   for (const int direction : {-1, 1}) {

@@ -225,7 +225,7 @@ void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double 
 /// Lengths of dashes that continue from `end` along the unit vector `ahead`; crossing lines of the plot hide
 /// both dashes and gaps. The first dash shows the direction better than a short tail.
 std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, double strokeWidth) {
-  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // of the way, on either side
+  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // share of the way, on either side
   constexpr int kLeastGap = 2;
   std::vector<double> dashes;
   std::vector<Point> dash;
@@ -312,19 +312,20 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
   return contacts;
 }
 
-constexpr double kMuch = 0.2;  // of the frame's width: remaining pixels that may be a curve or a bottom-out
+constexpr double kMuch =
+    0.2;  // share of the frame's width: remaining pixels that may be a curve or a bottom-out
 /// Of the frame's height below the strokes' tops: bottom-outs of other switches have at least 0.23, leaders
 /// at most 0.15.
 constexpr double kBottomOutBelow = 0.2;
-// of the frame's height: the last part of a bottom-out, and how much lower than the strokes it may end
+// share of the frame's height: the last part of a bottom-out, and how much lower than the strokes it may end
 constexpr double kBottomOutTop = 0.1;
 constexpr double kBottomOutRise = 1.8;  // times its width over that part; leaders lean more, 1.5
-constexpr double kJump = 0.05;          // of the frame's height; holes of words are narrower
-// of the width: a lock from the start; remaining pixels beside both
+constexpr double kJump = 0.05;          // share of the frame's height; holes of words are narrower
+// share of the width: a lock from the start; remaining pixels beside both
 constexpr double kLocked = 0.15, kLeftBeside = 0.1;
-constexpr double kEquallyLow = 0.06;  // of the height: equally low, meeting
+constexpr double kEquallyLow = 0.06;  // share of the height: equally low, meeting
 constexpr float kOffCurve_px = 1.5F;  // from the nearest curve pixel
-constexpr double kPiece = 0.04;       // of the width: a piece of a curve between two crossings; less is text
+constexpr double kPiece = 0.04;  // share of the width: a piece of a curve between two crossings; less is text
 
 /// A joint search for both strokes at one price of gaps.
 class PairSearch {

@@ -33,7 +33,7 @@ struct UnusedLine {
 /// stroke is the cheapest path: joins cost by their angle, gaps by their length, uncovered travel most.
 class PieceNetwork {
  public:
-  static constexpr double usualCover = 0.35;  ///< of the plot's width
+  static constexpr double usualCover = 0.35;  ///< share of the plot's width
 
   PieceNetwork(std::vector<LinePiece> pieces, const PlotPlane& plane);
 

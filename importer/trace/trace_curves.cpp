@@ -426,7 +426,7 @@ bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
 /// Returns true if a stroke continues to the right of all coloured traces: colours are lost on steep
 /// stretches, not along a horizontal line, which is the plot's own.
 bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& traces, double frame_px) {
-  constexpr double most = 0.04;  // of the frame's width
+  constexpr double most = 0.04;  // share of the frame's width
   const auto rightOf = [](const CurveTrace& trace) {
     return std::ranges::max(trace.points_px, {}, &Point::x).x;
   };

@@ -9,7 +9,7 @@
 namespace detent::playback {
 
 struct PerceptualMiddle {
-  double share = 0.5;  ///< of the way, as between() of model/blend.h takes it
+  double share = 0.5;  ///< share of the way, as between() of model/blend.h takes it
   Button button;
   double dPrimeFrom = 0, dPrimeTo = 0;  ///< forecast, from it to either
 
