@@ -243,7 +243,7 @@ struct ImportSession::Impl {
   std::map<int, std::vector<Remark>> remarks;     // parts of a page that could not be read
 
   using GraphsKey = std::tuple<int, bool, double>;  // page, whether its plot frame is given, magnification
-  std::map<GraphsKey, PageGraphs> graphs;           // memory of their views is bounded
+  std::map<GraphsKey, PageGraphs> graphs;           // the memory of the views is bounded
   std::uint64_t clock = 0;
 
   /// Page, number and place of the chosen graph, and the remarks on the choice.
@@ -469,7 +469,7 @@ struct ImportSession::Impl {
       return common.empty() ? 0 : common.area() / box.joined(place.pageBox).area();
     };
     const auto best = std::ranges::max_element(onIt, {}, shared);
-    constexpr double sameFrame = 0.5;  // of the joint area of both
+    constexpr double sameFrame = 0.5;  // share of the joint area of both frames
     if (best == onIt.end() || shared(*best) < sameFrame) return {};
     const auto index = static_cast<std::size_t>(best - onIt.begin());
     if (!restoreView(place.page, **onPage, index, progress)) return {};

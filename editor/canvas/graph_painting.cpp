@@ -185,7 +185,7 @@ void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& s
   drawPolylines(painter, curvePolylines(graph.press(), map));
 }
 
-// In the selection colour, because it is neither stroke yet.
+// In the selection colour, because the preview belongs to neither stroke yet.
 void paintPreview(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {

@@ -34,7 +34,7 @@ constexpr double wideRatio = 1.35;   // wider than this, the parts stand side by
 constexpr int leastControls_px = 120;
 constexpr double comparableDurations = 4;  // of two signals whose times are drawn to one scale
 constexpr int longestNote = 200;
-constexpr int leastOfTwoViews_px = 140;  // a low dock has room for both
+constexpr int leastOfTwoViews_px = 140;  // a low dock has room for two views
 constexpr FeelSide sides[] = {FeelSide::a, FeelSide::b};
 
 PadButton padButtonOf(const ButtonDocument& document, std::size_t state, double full_N) {

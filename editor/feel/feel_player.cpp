@@ -243,7 +243,8 @@ bool FeelPlayer::take(Finger finger) {
   if (finger_ == Finger::lifting) finger_ = Finger::none;
   if (finger_ != Finger::none && finger_ != finger) return false;
   if (finger_ == Finger::none) {
-    if (sound_ == SoundState::off) startSound();  // not after a failure: trying may take its time
+    if (sound_ == SoundState::off)
+      startSound();  // not after a failure: opening the device again may take long
     finger_ = finger;
     pressed_ = true;
     pace();

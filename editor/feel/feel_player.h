@@ -140,7 +140,7 @@ class FeelPlayer : public QObject {
   bool liftsForce_ = true;
   Clock::time_point liftedAt_, movedAt_;
   bool pressed_ = false;
-  // As soon as the device is open, one of them.
+  // Played as soon as the device is open.
   std::shared_ptr<const playback::PressTrace> toPlay_;
   std::shared_ptr<const std::vector<float>> samplesToPlay_;
   std::shared_ptr<playback::PressTrace> recording_;  // the press under way

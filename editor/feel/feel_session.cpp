@@ -147,7 +147,7 @@ void FeelSession::setReference(const QString& file) {
   FeelSettings next = settings_;
   next.referenceFile = file;
   if (next.referenceFile == settings_.referenceFile) {
-    loadReference();  // it may be another file by now
+    loadReference();  // the file may have changed
   } else {
     setSettings(next);
   }

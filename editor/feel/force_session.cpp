@@ -112,7 +112,7 @@ void ForceSession::exchange() {
   const bool open = wanted_ && device_ && document_;
   Player old = std::move(player_);
   if (!open && !old) return;
-  setState(open ? ForceState::starting : ForceState::off);  // who follows the old one lets go of it here
+  setState(open ? ForceState::starting : ForceState::off);  // listeners let go of the old player here
   busy_ = true;
   playback::ForcePlayerSettings settings;
   if (open) {

@@ -29,7 +29,7 @@ enum class ForceState : std::uint8_t {
 /// Energy that finger and button exchange.
 struct ForceEnergy {
   double held_mJ = 0;           ///< in the button now, counted from its rest
-  double most_mJ = 0;           ///< of this press, or of the last one
+  double most_mJ = 0;           ///< largest value in this press, or in the last one
   double givenBack_mJ = 0;      ///< share of `most_mJ` that came back to the finger, in mJ
   double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
 };

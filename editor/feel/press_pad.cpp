@@ -143,7 +143,7 @@ void PressPad::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PressPad::tabletEvent(QTabletEvent* event) {
-  event->accept();  // or Qt makes a mouse of it
+  event->accept();  // otherwise Qt makes a mouse event of it
   switch (event->type()) {
     case QEvent::TabletPress:
       setFocus(Qt::MouseFocusReason);

@@ -17,7 +17,7 @@
 
 namespace detent::editor {
 
-/// GUI thread; computes beside it.
+/// GUI thread; forecasts are computed on another one.
 class ForecastBar : public QWidget {
   Q_OBJECT
 

@@ -71,7 +71,7 @@ class ForecastSource : public QObject {
   FeltList kept_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, playback::PredictedPair> keptPairs_;
   std::uint64_t nextId_ = 0;
-  LatestAnswer<Wanted> answers_;  // last: its thread uses the others
+  LatestAnswer<Wanted> answers_;  // last member, because its thread uses the others
 };
 
 }  // namespace detent::editor

@@ -72,7 +72,7 @@ struct AxisEnds {
 /// Position of a point along an axis: 0 at the left/bottom edge, 1 at the right/top one, in the frame's
 /// perspective. Any finite point; corners must enclose an area (else empty).
 std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, importer::Point at);
-/// The place on the axis' edge with this share.
+/// The place with this share on the axis' edge of the frame.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
 
 /// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them.
@@ -87,7 +87,7 @@ std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corner
 /// The importer's knowledge of a graph when corrections are turned into hints.
 struct FoundAxes {
   FrameCorners corners;
-  std::vector<AxisTick> xTicks, yTicks;  ///< those that agreed with the progression
+  std::vector<AxisTick> xTicks, yTicks;  ///< ticks that agree with the progression
 };
 
 /// Hints for the importer. Ticks become the values at the edges of the frame: the given one, else the found

@@ -36,7 +36,7 @@ struct DrawnResult {
   std::vector<DrawnTick> xTicks, yTicks;
   std::vector<QPointF> xLines, yLines;  ///< ends of gridlines and ticks on the axes, to snap to
   std::optional<DrawnStroke> press, release;
-  std::vector<QPolygonF> traces;  ///< curves as traced, if no strokes came of them
+  std::vector<QPolygonF> traces;  ///< curves as traced, if they gave no strokes
   std::vector<DrawnMark> marks;
 };
 

@@ -15,7 +15,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int least_px = 270, mostOfLeast_px = 300;  // beyond that it scrolls sideways in a narrow window
+constexpr int least_px = 270, mostOfLeast_px = 300;  // in a narrower window the panel scrolls sideways
 constexpr int usual_px = 340;                        // where there is room nothing has to wrap
 
 }  // namespace
@@ -109,7 +109,7 @@ QGroupBox* FindingsPanel::frameBox() {
   return box;
 }
 
-// One answer changes several things: they are shown together, once.
+// Changes by one answer are shown together, once.
 void FindingsPanel::connectState() {
   soon_.setSingleShot(true);
   soon_.setInterval(0);

@@ -348,7 +348,7 @@ void ImportDialog::Impl::build() {
   QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
   QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
   QObject::connect(stop, &QPushButton::clicked, &state, &ImportState::cancel);
-  // A refused field would come in with its previous value.
+  // Without this check a refused field would count with its previous value.
   QObject::connect(accept, &QPushButton::clicked, &state, [this] {
     if (view->takeEditor() && findings->acceptable()) state.acceptAll();
   });

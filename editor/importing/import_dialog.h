@@ -42,9 +42,9 @@ class ImportDialog : public QDialog {
  signals:
   /// Emitted once per accepted graph. Shared and never changed.
   void imported(std::shared_ptr<const importer::ImportReport> report);
-  /// This file could be read.
+  /// A file was opened.
   void opened(const QString& path);
-  /// This one could not.
+  /// A file could not be read.
   void unreadable(const QString& path);
   /// draft() is another one now, or may be.
   void draftChanged();

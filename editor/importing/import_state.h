@@ -23,7 +23,7 @@ struct ImportPage {
   QImage thumbnail;  ///< null until it was drawn
   QRectF bounds;     ///< page units
   bool searched = false;
-  std::optional<Failure> failure;  ///< it cannot be read
+  std::optional<Failure> failure;  ///< reason why the page cannot be read
   std::vector<importer::RejectedFrame> rejected;
   ImportClient::Ticket thumbnailTicket = 0, searchTicket = 0;
 };
@@ -57,7 +57,7 @@ struct ImportGraph {
   std::shared_ptr<const ImportedGraph> good;  ///< newest answer with a report; stays while later ones fail
   std::shared_ptr<const ImportedGraph> unmarked;  ///< `good` without the points given by hand
   std::vector<Failure> refusedMarks;  ///< of `good`: points that the curve does not allow where they were put
-  std::optional<ResultBrief> letGo;   ///< of the results before these
+  std::optional<ResultBrief> letGo;   ///< figures of the result before
   std::optional<FoundAxes> found;     ///< ticks and corners as found, to which "reset" goes back
   std::optional<importer::AxisReading> foundX, foundY;
 
@@ -125,7 +125,7 @@ class ImportState : public QObject {
   void tickAll();
   /// The graph that many further in reading order, over page ends; stops at the first and the last.
   void selectNext(int by);
-  /// These thumbnails are read next.
+  /// Thumbnails of these pages are read first.
   void setVisiblePages(int first, int last);
 
   importer::Quality quality() const { return quality_; }
@@ -182,7 +182,7 @@ class ImportState : public QObject {
   /// A requested graph, or one of the switches in it.
   struct Wanted {
     GraphId graph;
-    std::string curve;  ///< empty: as its corrections say
+    std::string curve;  ///< empty: the curve that the corrections choose
   };
   std::vector<Wanted> ticked() const;
   bool isUsable(const ImportGraph& graph) const;

@@ -55,7 +55,7 @@ std::optional<std::size_t> nearestTactile(const StrokeCurve& curve, Stroke strok
 Result<StrokeCurve> withTactileMoved(const StrokeCurve& curve, Stroke stroke, const PageUnits& units,
                                      CurvePoint from, std::optional<CurvePoint> to) {
   const auto index = nearestTactile(curve, stroke, from, units);
-  if (!index) return curve;  // it is not found any more: nothing to move
+  if (!index) return curve;  // the point is not found any more, so there is nothing to move
   return to ? moveTactilePoint(curve, stroke, *index, *to) : removeJump(curve, stroke, *index);
 }
 

@@ -290,7 +290,7 @@ void PageView::ask(const TypedValue& field) {
     emit hint(why);
   });
   connect(editor, &QLineEdit::editingFinished, editor, [editor] {
-    if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is not a number leaves it open
+    if (!editor->hasFocus()) editor->deleteLater();  // Enter leaves the field open if its text is no number
   });
 }
 

@@ -50,7 +50,7 @@ class PageView : public QWidget {
   // -- what tools need --
   ImportState& state() { return state_; }
   const ImportState& state() const { return state_; }
-  /// Corrections being dragged, else those in force.
+  /// Corrections as being dragged, otherwise as stored.
   const Corrections& shown() const;
   void setPreview(const std::optional<Corrections>& preview);
   bool hasPreview() const { return preview_.has_value(); }
@@ -115,7 +115,7 @@ class PageView : public QWidget {
   bool closeEditor();  ///< of a tick's value; false if none is open
   void takeResult();
   void takeCurrent();
-  void refit();       ///< under a running gesture it waits for endGesture
+  void refit();       ///< waits for endGesture while a gesture runs
   void endGesture();  ///< does what a gesture held up, if none is running any more
   void fitRect(QRectF page, double margin);
   void setTransform(const QTransform& pageToWidget);
@@ -140,7 +140,7 @@ class PageView : public QWidget {
   std::shared_ptr<const ImportedGraph> drawnFrom_;  ///< good result the curves come from
   QTransform pageToWidget_;
   Fit fit_ = Fit::graph;
-  bool fitDue_ = false;  ///< a running gesture held it up
+  bool fitDue_ = false;  ///< a refit waits for the end of a gesture
   QPointF inWindow_;     ///< of the top left corner, when the gesture began or was last moved
   std::optional<GraphId> fitted_;
   int fittedPage_ = 0;

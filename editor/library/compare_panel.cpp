@@ -81,7 +81,7 @@ QWidget* ComparePanel::plotSide() {
   plot_ = described(new ComparePlot, "comparePlot", {}, tr("Overlaid force graphs"));
   plot_->setMinimumHeight(leastPlot_px);
   reading_ = wrappingLabel("compareReading");
-  reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
+  reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing moves when the text appears
   connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
     reading_->setText(reading.isEmpty()
                           ? tr("Point at the graph to read values; click to pin a cursor and read "
@@ -221,7 +221,7 @@ void ComparePanel::removeLast() {
   update();
 }
 
-// The first that is not among them yet.
+// Adds the first open button that is not compared yet.
 void ComparePanel::addNext() {
   const auto next = std::ranges::find_if(documents_, [this](auto* document) { return !compares(*document); });
   if (!documents_.empty()) add(next != documents_.end() ? *next : documents_.front());

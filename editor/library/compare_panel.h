@@ -62,7 +62,7 @@ class ComparePanel : public QWidget {
  private:
   /// The choice of one side.
   struct Side {
-    QChar letter;  ///< names its widgets
+    QChar letter;  ///< part of the names of the row's widgets
     QWidget* row = nullptr;
     QLabel* swatch = nullptr;
     QComboBox* button = nullptr;

@@ -27,7 +27,7 @@ class FilterBar : public QWidget {
   SwitchFilter filter() const;
   /// From now on numbers typed without a unit are in these.
   void setUnits(const DisplayUnits& units);
-  /// One more figure with both ends open.
+  /// Adds a range of a figure with both ends open.
   void addRange();
   bool empty() const;
   void clear();

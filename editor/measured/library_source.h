@@ -52,7 +52,7 @@ class LibrarySource : public QObject {
   void run(std::function<void()> work);
 
   std::atomic<bool> cancelled_{false};
-  QThreadPool worker_;  // last: its thread uses the others
+  QThreadPool worker_;  // last member, because its thread uses the others
 };
 
 }  // namespace detent::editor

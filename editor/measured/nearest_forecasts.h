@@ -34,7 +34,7 @@ class NearestForecasts : public QObject {
   std::atomic<quint64> question_{0};
   std::vector<SwitchIndex> requested_;  // of the request that is worked on
   ForecastSource source_;
-  QThreadPool reader_;  // last: its thread uses the others
+  QThreadPool reader_;  // last member, because its thread uses the others
 };
 
 }  // namespace detent::editor

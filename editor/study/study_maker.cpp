@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t usualPractice = 4;
 constexpr double question_s = 12;  // a rough guess, so that nobody plans three hours by mistake
-constexpr double timed_s = 3;      // likewise, with a cue or a window
+constexpr double timed_s = 3;      // seconds for a trial with a cue or a window
 constexpr double restOfRun_s = 5;
 
 /// A name of a file that no other button has.

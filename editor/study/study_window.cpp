@@ -484,7 +484,7 @@ void StudyWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void StudyWindow::closeEvent(QCloseEvent* event) {
-  if (event->spontaneous() && at_ != At::end) {  // not over what is behind it
+  if (event->spontaneous() && at_ != At::end) {  // a participant cannot close the window: it pauses instead
     event->ignore();
     if (work_.session && work_.session->trial() != nullptr) pause();
     return;

@@ -16,8 +16,9 @@ enum class SlopeSides {
 };
 
 /// Moves a mark to another place. Knots, tactile points and turns go there; of a section, the segment at
-/// `mark.at` is bent between its two knots by the difference of force; operating and reset points take the displacement; a slope handle's knot gets the slope towards
-/// `to`, which must lie on the handle's side. Failures: as in model/edits.h.
+/// `mark.at` is bent between its two knots by the difference of force; operating and reset points take the
+/// displacement; a slope handle's knot gets the slope towards `to`, which must lie on the handle's side.
+/// Failures: as in model/edits.h.
 Result<Button> moveMark(const Button& button, std::size_t state, const Mark& mark, CurvePoint to,
                         SlopeSides sides = SlopeSides::asItIs);
 

@@ -43,7 +43,7 @@ class FileController : public QObject {
   bool take(const QMimeData& data);
   static bool canTake(const QMimeData& data);
 
-  /// These give false if it was cancelled or failed.
+  /// Return false if the user cancelled or an error occurred.
   bool save(DocumentTab& tab);
   bool saveAs(DocumentTab& tab);
   bool saveAll();

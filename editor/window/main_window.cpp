@@ -117,8 +117,7 @@ MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
   new ScreenFit(this);
   setAcceptDrops(true);
   setDockNestingEnabled(true);
-  applyAppearance();  // before there are widgets: those made before would keep
-                      // the old colours for a while
+  applyAppearance();  // before there are widgets, because existing ones would keep the old style
   makeFileActions();
   makeEditActions();
   makeCentre();
@@ -778,7 +777,7 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   storeWindow();
   storeSession();
-  sessionHeld_ = true;  // the tabs that close now are those to come back
+  sessionHeld_ = true;  // the tabs that close now belong to the stored session
   if (!files_->closeAll()) {
     sessionHeld_ = false;
     return event->ignore();

@@ -89,7 +89,7 @@ class MainWindow : public QMainWindow {
   /// A menu that ends with the actions of the current tab.
   struct TabMenu {
     QMenu* menu = nullptr;
-    QAction* end = nullptr;  // they stand before this one
+    QAction* end = nullptr;  // the tab's actions stand before this one
     QList<QAction*> shown;
   };
 
@@ -180,7 +180,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* centre_ = nullptr;  // buttons with the feel panel below them, or the comparison
   QScrollArea *feelArea_ = nullptr, *compareArea_ = nullptr;
   CentreView view_ = CentreView::edit;
-  QAction* toolsEnd_ = nullptr;  // the tools of the shown button stand before it
+  QAction* toolsEnd_ = nullptr;  // the tools of the shown button stand before this action
   QAction *showEdit_ = nullptr, *showCompare_ = nullptr, *showFeel_ = nullptr;
   bool docksAway_ = false;
   QList<QDockWidget*> awayDocks_;    // docks that come back with the view of editing

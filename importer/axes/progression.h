@@ -27,7 +27,7 @@ struct Progression {
   std::vector<double> tickOf;  ///< per label: place of its tick; its own centre where there is none
   int labels = 0;              ///< that agreed
   int ticks = 0;               ///< lines and ticks that carried the final fit
-  double residual_px = 0;      ///< rms of those
+  double residual_px = 0;      ///< rms of the residuals
   bool fromTicks = false;      ///< false: no ticks were found, so the centres of the labels were used
   double value(double position_px) const { return offset + perPx * position_px; }
   double position(double v) const { return (v - offset) / perPx; }

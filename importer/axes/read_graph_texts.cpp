@@ -129,7 +129,7 @@ LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
 /// Returns true if a horizontal line runs through the whole mark: a legend key with its marker, or a leader
 /// with its arrowhead. In letters that touch each other there is no such line.
 bool isLineLike(const Box& mark, const cv::Mat& marks) {
-  constexpr double nearlyAll = 0.9;  // of its columns
+  constexpr double nearlyAll = 0.9;  // share of the columns
   const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),
             right = std::min(marks.cols - 1, static_cast<int>(mark.x1));
   for (int y = std::max(0, static_cast<int>(mark.y0));

@@ -16,7 +16,7 @@ struct FeltShape {
 
   double travel_mm = 0;          ///< first contact to bottom-out, > 0
   std::vector<float> press_N;    ///< `samples` of them
-  std::vector<float> release_N;  ///< likewise, or empty where no release is known
+  std::vector<float> release_N;  ///< as many forces of the release; empty if there is none
   bool operator==(const FeltShape&) const = default;
 };
 

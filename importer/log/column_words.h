@@ -40,7 +40,7 @@ struct KnownWords {
     bool has(ColumnWord meaning) const { return meanings & static_cast<std::uint32_t>(meaning); }
   };
   std::vector<Word> words;
-  std::size_t unknown = 0;  ///< words beside them
+  std::size_t unknown = 0;  ///< number of unknown words beside these
   bool headFirst = false;  ///< of a language whose compound nouns begin with what they are: "force de charge"
   bool has(ColumnWord meaning) const;
 };

@@ -60,7 +60,7 @@ void giveUnit(DataColumn& column, ColumnUnit unit);
 
 /// Where rows without numbers or blank rows interrupt the data.
 struct DataBreak {
-  std::size_t row = 0;  ///< the data row after it
+  std::size_t row = 0;  ///< the data row after the break
   std::string text;     ///< of the rows between; empty: blank
 };
 

@@ -40,7 +40,7 @@ struct ForceLog {
   std::string xUnit, yUnit;                                ///< as found
   double preload_N = 0;                                    ///< offset removed (or 0)
   double noise_mm = 0, noise_N = 0;                        ///< estimated from the samples
-  std::optional<double> operatingPoint_mm, resetPoint_mm;  ///< where the file says them
+  std::optional<double> operatingPoint_mm, resetPoint_mm;  ///< only if the file states them
   /// Of the first press and of the release after it; empty without a column of times.
   std::optional<StrokeSpeed> pressSpeed, releaseSpeed;
   long rowsRead = 0, rowsSkipped = 0;

@@ -32,7 +32,7 @@ struct FoundStroke {
 /// Where the rows of a column are cut, and what the parts are called.
 struct Cuts {
   std::map<std::size_t, std::string> at;           ///< data row: name of what begins there
-  std::vector<std::optional<Stroke>> strokeOfRow;  ///< empty: no row says it
+  std::vector<std::optional<Stroke>> strokeOfRow;  ///< empty: no row names a stroke
 };
 
 class RecordFormer {
@@ -183,7 +183,7 @@ class RecordFormer {
         made_.records.push_back({made_.groups[i].name, {}, pointsOf(runs[i])});
   }
 
-  // -- where a run is cut ---------------------------------------------------------------------------------------
+  // -- where a run is cut -----------------------------------------------------------------------------------
 
   std::string_view cellOf(std::size_t column, std::size_t row) const {
     return table_.cell(data_.rowOf[row], data_.columns[column].index);
@@ -395,7 +395,7 @@ class RecordFormer {
     }
   }
 
-  // -- strokes joined to records --------------------------------------------------------------------------------
+  // -- strokes joined to records ----------------------------------------------------------------------------
 
   static constexpr double kWhole = 0.6;          // share of the longest press: an aborted one is less
   static constexpr double kLeastRelease = 0.12;  // share of the longest press; shorter releases are twitches

@@ -21,7 +21,7 @@ namespace {
 using Columns = std::vector<std::size_t>;  // positions in DataTable::columns
 
 constexpr double kNamed = 2;        // log-likelihood from which on a column is called what it is
-constexpr double kPossible = -1.5;  // down to which it may be
+constexpr double kPossible = -1.5;  // log-likelihood down to which a column may be one
 
 /// The column that a person gave by number or title; nullopt: none is called so.
 std::optional<std::size_t> columnGiven(const DataTable& data, const std::string& given) {
@@ -328,7 +328,7 @@ class Interpreter {
     if (xs_.size() == 1) return xs_.front();
     const auto at = static_cast<std::size_t>(std::ranges::find(fs_, force) - fs_.begin());
     if (xs_.size() == fs_.size()) return xs_[at];
-    // The nearest before it, else the first.
+    // The nearest displacement column to the left, else the first.
     std::size_t best = xs_.front();
     for (const std::size_t x : xs_)
       if (x < force) best = x;

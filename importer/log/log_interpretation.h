@@ -38,7 +38,7 @@ struct LogInterpretation {
   std::vector<ColumnGroup> groups;
   AssumedUnit xUnit, yUnit;
   Evidence evidence;
-  std::vector<LogRecord> records;  ///< at least one, with a press; empty: it gives none
+  std::vector<LogRecord> records;  ///< at least one, with a press; empty: the interpretation gives no record
   bool forcesTurned = false, displacementTurned = false, fromRun = false, joined = false;
   std::string reading(const DataTable& data) const;
 };

@@ -156,7 +156,7 @@ class LogReader {
     return best;
   }
 
-  // -- the file -------------------------------------------------------------------------------------------------
+  // -- the file ---------------------------------------------------------------------------------------------
 
   Result<std::string> bytesOf(const std::string& path) const {
     const auto unreadable = [&](Message problem, const Message& remedy) {
@@ -365,7 +365,7 @@ class LogReader {
   /// Two sheets named as the strokes of one button: places in the workbook.
   struct SheetPair {
     std::size_t press = 0, release = 0;
-    std::string name;  ///< the rest of both names
+    std::string name;  ///< the rest of both columns' names
   };
 
   static std::vector<SheetPair> pairedSheets(const std::vector<Table>& sheets) {
@@ -580,7 +580,7 @@ class LogReader {
     }
   }
 
-  // -- one of several records -----------------------------------------------------------------------------------
+  // -- one of several records -------------------------------------------------------------------------------
 
   static std::string namesOf(const std::vector<LogRecord>& records) {
     std::string all;
@@ -646,7 +646,7 @@ class LogReader {
     return {};
   }
 
-  // -- from a record to strokes ---------------------------------------------------------------------------------
+  // -- from a record to strokes -----------------------------------------------------------------------------
 
   std::optional<Failure> finish(const FileRecords& found, LogRecord record) {
     std::vector<CurvePoint>&press = record.press, &release = record.release;
@@ -825,7 +825,7 @@ class LogReader {
     }
   }
 
-  /// A contact outside of its stroke's travel is none.
+  /// A contact outside of its stroke's travel does not count.
   void placeContacts() {
     const auto keepWithin = [](std::optional<double>& contact_mm, const std::vector<CurvePoint>& stroke) {
       const auto [least, most] = std::ranges::minmax(stroke, {}, &CurvePoint::displacement_mm);
@@ -898,7 +898,7 @@ class LogReader {
            {log_.rowsSkipped, log_.rowsRead, found.data->firstLeftOutLine, found.data->firstLeftOutText}});
   }
 
-  // -- confidence -----------------------------------------------------------------------------------------------
+  // -- confidence -------------------------------------------------------------------------------------------
 
   /// The margins to other readings that give a different button, and to its being no log, which has no
   /// evidence; and the question that parts the best two.

@@ -15,7 +15,7 @@
 namespace detent::importer {
 namespace {
 
-// -- spreadsheets ------------------------------------------------------------------------------------------------
+// -- spreadsheets -------------------------------------------------------------------------------------------
 
 /// A column of numbers under its headings.
 struct SheetColumn {
@@ -240,7 +240,7 @@ std::vector<RecordedSwitch> switchesOfSheet(const Table& table) {
 
 namespace {
 
-// -- JSON --------------------------------------------------------------------------------------------------------
+// -- JSON ---------------------------------------------------------------------------------------------------
 
 std::vector<double> numbersAt(const nlohmann::json& object, const char* key) {
   std::vector<double> numbers;

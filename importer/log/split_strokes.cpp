@@ -82,7 +82,7 @@ std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke) {
 }
 
 double noiseOf(const std::vector<double>& values, double lastDigit) {
-  constexpr std::size_t enough = 4096;  // bends: they tell the median to 2 %
+  constexpr std::size_t enough = 4096;  // with this many bends the median is exact to 2 %
   const std::size_t every = values.size() / enough + 1;
   std::vector<double> bends;
   double resolution = std::numeric_limits<double>::infinity();

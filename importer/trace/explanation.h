@@ -31,8 +31,8 @@ struct TraceJump {
 
 /// Remaining solid patches, wider than a line in every direction.
 struct Patches {
-  double share = 0;  ///< area of their insides relative to the curves' area
-  Point at_px;       ///< inside one of them, view pixels
+  double share = 0;  ///< area inside the outlines, relative to the area of the curves
+  Point at_px;       ///< a point inside one of the outlines, view pixels
 };
 
 /// An unexplained line, of any colour and however pale, above or below the only traced curve.

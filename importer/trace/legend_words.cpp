@@ -42,7 +42,7 @@ struct ColourSeen {
   }
   /// Returns true for a square, bar or disc, filled or outlined around another tint.
   bool isSwatch() const {
-    constexpr double filled = 0.75, outlined = 0.8;  // of its box; of the box' edges
+    constexpr double filled = 0.75, outlined = 0.8;  // share of the bounding box; share of its outline
     const int width = right - left + 1, height = bottom - top + 1;
     return !runsOver && (pixels >= filled * width * height || pixels >= outlined * 2 * (width + height));
   }

@@ -50,7 +50,7 @@ struct TimedLevels {
     std::int64_t duration_ms = 1;
     int level = 0;  ///< 0..full
   };
-  std::int64_t zero = 0;  ///< sample at which they begin
+  std::int64_t zero = 0;  ///< sample at which the steps begin
   int full = 255;
   std::vector<Level> levels;         ///< the last one is 0; empty if nothing is felt
   std::vector<std::int64_t> onsets;  ///< of jumps and bottom-outs, as played

@@ -50,7 +50,7 @@ void DirectionProof::turningPush(double position_mm) {
     time_s_ = 0;
     if (++turns_ == turnsThatProve) verdict_ = answer_ > 0 ? Verdict::agrees : Verdict::reversed;
   } else if (time_s_ >= longestPush_s) {
-    begin(position_mm, -push_);  // something else moves it, so this push is repeated
+    begin(position_mm, -push_);  // something else moves the handle, so this push is repeated
   }
 }
 

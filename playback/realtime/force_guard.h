@@ -83,7 +83,7 @@ class ForceGuard {
 
   /// Emergency stop: zero force within `emergencyRamp_s`, until `rearm`.
   void emergencyStop();
-  /// The device has lost its position: handled like a jump.
+  /// The device has lost its position; handled like a jump.
   void displace();
   /// Removes the force for this reason until `rearm`. The first reason is kept.
   void latch(ForceHalt reason);

@@ -161,7 +161,7 @@ class IdleThread {
 
  private:
   std::atomic<double> longest_ms_ = 0;
-  std::jthread thread_;  // last: it uses what stands above
+  std::jthread thread_;  // last member, because the thread uses the others
 };
 
 struct Figures {

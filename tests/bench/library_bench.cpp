@@ -58,7 +58,7 @@ Named namedBy(const std::string& name) {
       words.push_back(word);
     word.clear();
   }
-  if (words.size() > 1 && isMark(words.back())) words.pop_back();  // which unit it is
+  if (words.size() > 1 && isMark(words.back())) words.pop_back();  // mark of the unit
   Named named;
   for (const std::string& each : words) (makers.contains(each) ? named.maker : named.model).insert(each);
   return named;

@@ -31,7 +31,7 @@ playback::ForceProgram limitedProgram(const std::string& button) {
 
 struct Scene {
   std::string title;
-  double at_s = 0;                          ///< when it happens
+  double at_s = 0;                          ///< time of the fault
   std::vector<double> force_N;              ///< one a period
   std::function<double(double)> allowed_N;  ///< allowed force over the time since the fault
 };
@@ -159,7 +159,7 @@ double largestOverRamp_N() {
 
 struct Rest {
   int steps = 0;       ///< of the encoder, from the lowest to the highest reading
-  double force_N = 0;  ///< rms about its mean
+  double force_N = 0;  ///< rms of the force about its mean
   bool quiet() const { return steps <= 1 && force_N <= 0.005; }
 };
 

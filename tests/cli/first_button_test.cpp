@@ -141,7 +141,7 @@ class SimulatedTransducer {
   double broken_s_;
   std::vector<Biquad> peaks_;
   std::int64_t count_ = 0;
-  JackListener listener_;  // last: it calls move
+  JackListener listener_;  // last member, because it calls move
 };
 
 /// The page's command lines: what is indented and begins with detent-play, with `port` in the place of the

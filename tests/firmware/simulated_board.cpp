@@ -19,7 +19,8 @@ extern "C" {
 
 namespace detent::firmware {
 
-// Data addresses from the chips' data sheets: ICR1 0x86, OCR1A 0x88; ICR3 0x96, OCR3A 0x98. COMnA1 is bit 7 of TCCRnA.
+// Data addresses from the chips' data sheets: ICR1 0x86, OCR1A 0x88; ICR3 0x96, OCR3A 0x98. COMnA1 is bit 7
+// of TCCRnA.
 const BoardKind uno{"uno",    "atmega328p", {'D', 2}, {'D', 3}, {'D', 4}, {'B', 1},
                     {'D', 6}, 0x86,         0x88,     2048,     40};
 const BoardKind mega{"mega",   "atmega2560", {'E', 4}, {'E', 5}, {'G', 5}, {'E', 3},
@@ -84,7 +85,7 @@ SimulatedBoard::SimulatedBoard(const BoardKind& kind, const std::string& elfFile
       +[](avr_irq_t*, std::uint32_t value, void* board) {
         static_cast<SimulatedBoard*>(board)->notePwmEdge(value != 0);
       });
-  setPin(kind.stopSwitch, false);  // closed, as it has to be
+  setPin(kind.stopSwitch, false);  // the switch must be closed
 }
 
 SimulatedBoard::~SimulatedBoard() {
@@ -206,7 +207,8 @@ void SimulatedBoard::setVariable(const std::string& name, int bytes, std::uint32
 }
 
 void SimulatedBoard::wrapClockIn(double before_us) {
-  // micros() is (overflows << 8 | timer) * 4, in 32 bits. Forwards by less than half a turn each time: a clock never runs back.
+  // micros() is (overflows << 8 | timer) * 4, in 32 bits. Forwards by less than half a turn each time: a
+  // clock never runs back.
   for (std::uint32_t eighth = 1; eighth < 8; eighth += 2) {
     setVariable("timer0_overflow_count", 4, eighth << 19);
     run_us(3000);

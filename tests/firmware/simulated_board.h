@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An Arduino board in simavr: a compiled sketch on the real instruction set, with its port, pins, converter and clock as numbers.
+// An Arduino board in simavr: a compiled sketch on the real instruction set, with its port, pins, converter
+// and clock as numbers.
 
 #include <cstdint>
 #include <memory>
@@ -25,7 +26,7 @@ struct BoardKind {
   Pin encoderA, encoderB, direction, pwm, stopSwitch;
   std::uint16_t icr = 0, ocr = 0;  ///< data addresses of the PWM timer's top and compare registers
   std::uint16_t ramBytes = 0;
-  std::uint16_t tableRows = 0;  ///< that force1d offers on it
+  std::uint16_t tableRows = 0;  ///< rows of the table that force1d offers on this board
 };
 
 extern const BoardKind uno, mega, leonardo;
@@ -48,7 +49,7 @@ class SimulatedBoard {
   std::string ask(const std::string& body, double wait_us = 30000);
 
   void setPin(Pin pin, bool high);
-  bool pinIsHigh(Pin pin) const;  ///< false where the board does not drive it
+  bool pinIsHigh(Pin pin) const;  ///< false if the board does not drive the pin
   void setAnalog_mV(int channel, unsigned value_mV);
 
   /// Share of the time that the PWM pin was high, and how often it rose a second, over the next `window_us`.
@@ -57,7 +58,8 @@ class SimulatedBoard {
     double frequency_Hz = 0;
   };
   Pwm measurePwm(double window_us = 500);
-  /// The same share as the timer's registers hold it; 0 where the pin is not joined to the timer. Costs no time.
+  /// The same share as the timer's registers hold it; 0 where the pin is not joined to the timer. Costs no
+  /// time.
   double duty() const;
 
   std::uint8_t byteAt(std::uint16_t address) const;  ///< of the data space
@@ -66,7 +68,8 @@ class SimulatedBoard {
   /// Runs some 15 ms, after which micros() wraps in `before_us` (timer 0 overflows every 1,024 us).
   void wrapClockIn(double before_us);
 
-  /// Bytes from the end of RAM to the deepest place the stack came to, and to the end of the sketch's variables.
+  /// Bytes from the end of RAM to the deepest place the stack came to, and to the end of the sketch's
+  /// variables.
   int stackUsed() const { return ramEnd_ - lowestStack_; }
   int stackAvailable() const;
 

@@ -290,7 +290,7 @@ TEST_CASE("force1d: takes its force away by itself when no good line comes") {
       CHECK(silence_ms <= row.silence_ms + 2);
       CHECK(silence_ms >= row.silence_ms - 3);
       board.ask("H,3");
-      CHECK(board.duty() == 0);  // and only `F` brings it back
+      CHECK(board.duty() == 0);  // only `F` brings the force back
     }
 }
 

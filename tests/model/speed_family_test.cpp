@@ -191,7 +191,7 @@ TEST_CASE("a release above the press of another speed is told, with both speeds"
   REQUIRE(described().size() == 1);
   CHECK_THAT(described()[0], Catch::StartsWith("release curve at 20 mm/s") &&
                                  Catch::Contains("above the press curve at 100 mm/s"));
-  state.otherSpeeds[0].graph = graphWith(0.6, 0.55);  // its own release, above its own press
+  state.otherSpeeds[0].graph = graphWith(0.6, 0.55);  // the release of this speed is above its own press
   REQUIRE(described().size() == 1);
   CHECK_THAT(described()[0], Catch::Contains("release curve at 100 mm/s"));
 }

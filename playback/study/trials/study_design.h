@@ -121,7 +121,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task = TimingTask::cue);
 /// One button of a study.
 struct StudyButton {
   std::string label;   ///< file name without .button.json; unique in the study
-  std::string sha256;  ///< of its file
+  std::string sha256;  ///< SHA-256 of the button's file
   Button button;
 };
 

@@ -593,7 +593,7 @@ class FeelPanelTest : public QObject {
   }
 
   void theForceSetupShowsWhatTheDeviceHas() {
-    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device may render
+    Rig rig(*scaleForce(tactileButton(), 3));  // the button's drop is steeper than any device may render
     rig.open();
     rig.panel.restoreState({{"setupShown", true}});
     auto* device = rig.part<QComboBox>("forceDevice");
@@ -617,7 +617,7 @@ class FeelPanelTest : public QObject {
   }
 
   void forceIsWatchedAndMadeStable() {
-    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device may render
+    Rig rig(*scaleForce(tactileButton(), 3));  // the button's drop is steeper than any device may render
     rig.open();
     rig.panel.restoreState({{"forceDevice", "sim:falcon"}, {"sound", false}});
     auto* meter = rig.part<QWidget>("forceMeter");

@@ -26,7 +26,7 @@ PadButton someButton() {
   return button;
 }
 
-/// The pad in a window, and what it says.
+/// The pad in a window, with the signals it emits.
 struct Rig {
   ViewSettings settings;
   PressPad pad{settings};

@@ -87,7 +87,7 @@ class FilesTest : public QObject {
     auto opened = openDocument(sample("../tests/model/file/fixtures/version-5.button.json"));
     QVERIFY(opened.ok());
     ButtonDocument& document = **opened;
-    document.setAnnotations({});  // its pins and links would refuse the edit
+    document.setAnnotations({});  // the pins and links would refuse the edit
     const Button before = document.button();
     QCOMPARE(before.states()[0].otherSpeeds.size(), std::size_t(2));
     const auto edited = editGraph(before, 0, [](const ForceGraph& graph) {

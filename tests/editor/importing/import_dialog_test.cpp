@@ -560,7 +560,7 @@ void ImportDialogTest::aDoubtedNumberNamesItsCause() {
   const auto* number = dialog.findChild<QLabel*>("confidence");
   QVERIFY(number && number->text().contains('%'));
   const int below_px = cause->mapTo(&dialog, QPoint()).y() - number->mapTo(&dialog, QPoint()).y();
-  QVERIFY(below_px > 0 && below_px < 4 * number->height());  // beside the number it explains
+  QVERIFY(below_px > 0 && below_px < 4 * number->height());  // the text stands beside the number it explains
 }
 
 // A box that ends at 3.5 mm, while the axis and the curve go on to 4.
@@ -788,7 +788,7 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
   QVERIFY(again(state));
   QCOMPARE(state.graphs().size(), found + 1);
   QVERIFY(!(state.current()->id == first));
-  QVERIFY(!state.graph(first)->history.canUndo());  // the one that was there is as it was
+  QVERIFY(!state.graph(first)->history.canUndo());  // the first graph is unchanged
   QVERIFY(state.current()->last->report);
   const GraphId added = state.current()->id;
   state.tickAll();
@@ -867,7 +867,7 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   QTest::mouseRelease(dialog.view, Qt::LeftButton, {}, dialog.view->toWidget(page).toPoint());
   QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // clicks go on
   QTest::keyClick(dialog.view, Qt::Key_Escape);
-  QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
+  QVERIFY(QLineF(onDialog(), before).length() > 1);  // the page fits its new room
 }
 
 namespace {
@@ -1244,7 +1244,7 @@ void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {
     const double travel_mm = report(state).button.states().front().graph.travel_mm();
     const auto corners = *view.shownCorners();
     const QPointF top = view.toWidget(corners[1]) - view.toWidget(corners[0]);
-    QVERIFY(top.x() > 100 && std::abs(top.y()) < 2);  // it is shown upright
+    QVERIFY(top.x() > 100 && std::abs(top.y()) < 2);  // the page is shown upright
     Corrections next = state.current()->history.now();
     next.frame = corners;
     state.apply(next, "Move plot frame");

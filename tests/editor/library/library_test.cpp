@@ -326,7 +326,7 @@ class LibraryTest : public QObject {
     QCOMPARE(plot->plottableCount(), curves + 4);  // press and release of each other
     const auto* of = qobject_cast<QCPGraph*>(plot->plottable(curves + 2));
     QVERIFY(of && of->data()->size() > 100);
-    for (const QCPGraphData& point : *of->data())  // c is twice a: it has a's own force more
+    for (const QCPGraphData& point : *of->data())  // c is twice a, so the difference is a's own force
       QVERIFY(std::abs(point.value - 100 * a.graph().press().force_N(point.key)) < 1e-6);
     panel.findChild<QToolButton*>("compareDifference")->click();
     QCOMPARE(plot->plottableCount(), curves);

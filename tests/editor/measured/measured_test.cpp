@@ -171,7 +171,7 @@ class MeasuredTest : public QObject {
     const auto a = switchOf("a", 0.4, 0, 3.0), b = switchOf("b", 0.6, 0, 3.5);
     QVERIFY(scatterOf({&a.shape}).empty());
     const auto scatter = scatterOf({&a.shape, &b.shape});
-    QCOMPARE(scatter.back().displacement_mm, 3.0);  // what both have
+    QCOMPARE(scatter.back().displacement_mm, 3.0);  // the range that both records have
     QVERIFY(std::abs(scatter.front().mean_N - 0.5) < 1e-6);
     QVERIFY(std::abs(scatter.front().sd_N - 0.2 / std::sqrt(2.0)) < 1e-6);
   }

@@ -79,7 +79,7 @@ void AnnotationsPanelTest::notesStandOnTheCurveAndVersionsComeBack() {
   QTest::keyClick(text, Qt::Key_Return);
   QCOMPARE(rig.document.annotations().notes.size(), std::size_t(1));
   QCOMPARE(rig.document.annotations().notes[0].displacement_mm, 1.3);
-  QVERIFY(!(rig.canvas().grab().toImage() == before));  // it is drawn
+  QVERIFY(!(rig.canvas().grab().toImage() == before));  // the note is drawn
   auto* name = panel.findChild<QLineEdit*>("versionName");
   QTest::keyClicks(name, "first");
   QTest::keyClick(name, Qt::Key_Return);

@@ -244,7 +244,7 @@ void KeyFiguresPanelTest::theWindowLivesWhileItSolves() {
   panel.show();
   KeyFiguresModel& model = panel.model();
   QVERIFY(model.setData(cell(model, KeyFigure::peakForce, KeyFiguresModel::now), "+5 %", Qt::EditRole));
-  QVERIFY(model.solving());  // given back before it is solved
+  QVERIFY(model.solving());  // the call returns before the request is solved
   QCOMPARE(rig.steps(), 0);
   QVERIFY(
       model.setData(cell(model, KeyFigure::totalTravel, KeyFiguresModel::wanted), "3.6 mm", Qt::EditRole));

@@ -149,7 +149,7 @@ void PanelsTest::refusedOperationSaysWhyAndWaits() {
 void PanelsTest::snapRatioIsReached() {
   WorkspaceRig rig(require(tactileButton()));
   OperationDialog* dialog = opened(rig, "operationSnapRatio");
-  QVERIFY(near(dialog->values()[1], 1 - 0.42 / 0.55, 1e-3));  // as it is
+  QVERIFY(near(dialog->values()[1], 1 - 0.42 / 0.55, 1e-3));  // the ratio of the present curve
   dialog->setValue(1, 0.5);
   accept(dialog);
   const auto& press = rig.canvas().values().press;
@@ -430,7 +430,7 @@ void PanelsTest::readValuesHaveTheDigitsTheirErrorLeaves() {
   ValuesModel& model = panel.model();
   const QModelIndex force = cell(model, tactile, ValuesModel::force);
   QCOMPARE(force.data().toString(), QString("55.7"));
-  QVERIFY(force.data(Qt::EditRole).toString().size() > 8);  // all of it is there to be edited
+  QVERIFY(force.data(Qt::EditRole).toString().size() > 8);  // all digits can be edited
   QVERIFY(model.setData(force, "56.1234", Qt::EditRole));
   QCOMPARE(force.data().toString(), QString("56.12"));  // typed: four digits, as everywhere
   QVERIFY(model.setData(cell(model, tactile, ValuesModel::displacement), "1.23456789", Qt::EditRole));
@@ -561,7 +561,7 @@ void PanelsTest::picturesAreDrawn() {
                fine = rig.workspace.renderImage({1600, 1200}, 2);
   QCOMPARE(plain.size(), QSize(800, 600));
   QCOMPARE(fine.devicePixelRatio(), 2.0);
-  // The press curve is on it, where the axes say.
+  // The pixel at the press curve's coordinates has the press colour.
   const QColor pressColor = rig.canvas().colors().press;
   int found = 0;
   for (int y = 0; y < 600; ++y)

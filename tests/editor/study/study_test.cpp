@@ -102,7 +102,7 @@ struct Rig {
   QTemporaryDir folder;
   std::shared_ptr<Finger> finger = std::make_shared<Finger>();
   playback::StudyPlayerSettings requested;
-  std::optional<playback::ForceDeviceChoice> force;  ///< of Feel it
+  std::optional<playback::ForceDeviceChoice> force;  ///< device of "Feel it"
   ButtonDocument a{tactileButton()}, b{linearButton()};
   std::unique_ptr<ExperimenterDialog> dialog;
   QString study;
@@ -302,7 +302,7 @@ class StudyTest : public QObject {
     QVERIFY(window);
     QVERIFY(window->findChild<QLabel*>("studyBanner") == nullptr);
     QVERIFY(buttonIn(window, "studyBegin")->isVisible());
-    QTest::keyClick(window, Qt::Key_A);  // nothing is answered before it begins
+    QTest::keyClick(window, Qt::Key_A);  // no key answers before the trial begins
     QVERIFY(rig.records().empty());      // nor is anybody in a journal who has not agreed
     agree(window);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -396,7 +396,7 @@ class StudyTest : public QObject {
     agree(window);
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
-    QTest::keyClick(window, Qt::Key_Pause);  // as its button and P do
+    QTest::keyClick(window, Qt::Key_Pause);  // the Pause key does what the button and P do
     QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
     QTest::keyClick(window, Qt::Key_1);
     QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
@@ -456,7 +456,7 @@ class StudyTest : public QObject {
     QTest::keyClick(window, Qt::Key_A);
     QVERIFY(rig.record().answers.empty());
     QTest::qWait(250);
-    QCOMPARE(rig.record().interruptions, std::size_t{1});  // once, however long it is away
+    QCOMPARE(rig.record().interruptions, std::size_t{1});  // counted once, however long the device is away
     rig.finger->lost = false;
     QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("connected again"));
     QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());  // anew
@@ -718,7 +718,7 @@ class StudyTest : public QObject {
     QCOMPARE(rig.finger->beats_s.size(), std::size_t{4});
     QVERIFY(std::abs(rig.finger->beats_s[3] - rig.finger->beats_s[0] - 3 * 0.4) < 1e-9);
     const double cue_s = rig.finger->beats_s.back();
-    rig.finger->ahead_s += cue_s + 0.03;  // a little behind it
+    rig.finger->ahead_s += cue_s + 0.03;  // a little after the cue
     const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
     QTRY_COMPARE(picture->view().beatsCome, std::size_t{4});  // the window has looked since
     QTest::keyClick(window, Qt::Key_Space);
@@ -847,7 +847,7 @@ class StudyTest : public QObject {
     rig.finger->lost = true;
     QTRY_VERIFY(trouble().contains("disconnected"));
     QTest::qWait(100);
-    QCOMPARE(rig.record().interruptions, std::size_t{4});  // once, however long it is away
+    QCOMPARE(rig.record().interruptions, std::size_t{4});  // counted once, however long the device is away
     rig.finger->lost = false;
     QTRY_VERIFY(trouble().contains("connected again"));
     QTest::keyClick(window, Qt::Key_Q);

@@ -291,7 +291,7 @@ void ToolsTest::slopeHandleTurnsBothSidesOfASmoothKnot() {
   const Knot now = rig.press().knots()[2];
   QVERIFY(now.slopeAfter_N_per_mm > 0);
   QCOMPARE(now.slopeBefore_N_per_mm, now.slopeAfter_N_per_mm);
-  // Past its knot a handle means nothing.
+  // A handle dragged past its knot has no slope to give.
   const auto turned = slopeHandlesOf(rig.press(), 2, rig.canvas().mapping());
   const Button before = rig.button();
   rig.press(*turned.after_px);
@@ -318,7 +318,8 @@ void ToolsTest::aDragOnASegmentBendsItBetweenItsKnots() {
         rig.canvas().setSelected({});
         rig.press(grab);
         const auto held = rig.canvas().selected();
-        if (!held || held->kind != MarkKind::section || held->stroke != stroke) {  // a mark lies above it
+        if (!held || held->kind != MarkKind::section ||
+            held->stroke != stroke) {  // a mark covers the section here
           rig.release(grab);
           continue;
         }
@@ -760,7 +761,7 @@ void ToolsTest::aRectangleBecomesTheView() {
   QVERIFY(near(near_.left(), 1, 1e-9) && near(near_.right(), 2, 1e-9));
   QVERIFY(near(near_.top(), 0.2, 1e-9) && near(near_.bottom(), 0.6, 1e-9));
   rig.press(rig.pixel(1.2, 0.3));
-  QTest::keyClick(&rig.canvas(), Qt::Key_V);  // left in the middle of it
+  QTest::keyClick(&rig.canvas(), Qt::Key_V);  // the tool is left in the middle of a drag
   rig.release(rig.pixel(1.8, 0.5));
   QCOMPARE(rig.canvas().shownRange(), near_);
   rig.action("toolZoom")->trigger();
@@ -838,7 +839,7 @@ void ToolsTest::lostReleaseEndsTheDrag() {
   rig.press(from);
   rig.move(from + QPointF(10, -10));
   const Button dragged = rig.button();
-  rig.down = Qt::NoButton;  // released where the canvas does not hear it
+  rig.down = Qt::NoButton;  // the mouse is released outside the canvas
   rig.move(from + QPointF(60, -60));
   QVERIFY(!rig.workspace.tools().dragging());
   QVERIFY(rig.button() == dragged);

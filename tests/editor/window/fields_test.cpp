@@ -308,7 +308,7 @@ class FieldsTest : public QObject {
     const auto name_px = [&](int i) { return tabs.fontMetrics().horizontalAdvance(tabs.tabText(i)); };
     QTRY_VERIFY(tabs.tabRect(3).width() >= name_px(3));
     const int besideName_px =
-        tabs.tabRect(3).width() - name_px(3);  // the sign that closes it, and the margins
+        tabs.tabRect(3).width() - name_px(3);  // width of the close button and the margins
     area.resize(390, 250);
     QTRY_VERIFY(tabs.tabRect(3).width() - besideName_px < name_px(3));
     for (int i = 0; i < tabs.count(); ++i)

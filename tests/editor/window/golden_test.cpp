@@ -98,7 +98,7 @@ class GoldenTest : public QObject {
     QTest::qWait(100);
     auto* forecast = dialog->findChild<QLabel*>("forecastWords");
     QTRY_VERIFY_WITH_TIMEOUT(!forecast->text().isEmpty(), patience_ms);
-    QTest::qWait(100);  // the words have their lines
+    QTest::qWait(100);  // lets the texts wrap
     check("compare-light", dialog->grab().toImage());
   }
 

@@ -675,7 +675,7 @@ class WindowTest : public QObject {
     QCOMPARE(stored().size(), 2);
     rig.window->files().close(*rig.window->tabs().current());
     QCOMPARE(stored(), QStringList{sample("buttons/B.button.json")});
-    rig.window->close();  // its tabs come back
+    rig.window->close();  // the open tabs come back at the next start
     QCOMPARE(stored(), QStringList{sample("buttons/B.button.json")});
   }
 
@@ -705,7 +705,7 @@ class WindowTest : public QObject {
     const double made_mm =
         metricsOf(rig.document().button().states()[0]).press.tactile[0].point.displacement_mm;
     QVERIFY(std::abs(made_mm - (0.75 * c_mm + 0.25 * b_mm)) < 0.01);
-    QVERIFY(rig.document().history().modified());  // it exists nowhere else
+    QVERIFY(rig.document().history().modified());  // the button exists in no file
     // A two-level button is another kind: it is not ticked, and refused where it is.
     rig.window->files().open({sample("buttons/D.button.json")});
     rig.window->tabs().show(rig.window->tabs().all()[0]->document());
@@ -864,7 +864,7 @@ class WindowTest : public QObject {
     QCOMPARE(contents(path), otherCopy);
     QVERIFY(QFile::exists(at("mine.button.json")));
     QVERIFY(!rig.document().history().modified());
-    // Overwrite is a decision, and one for this content only.
+    // Overwriting is a decision for this content only.
     rig.window->files().open({path});
     rig.scale(1.2);
     writeOther(3);
@@ -1280,7 +1280,7 @@ class WindowTest : public QObject {
     }
     {
       Rig rig(folder_->path());
-      QVERIFY(rig.window->tabs().all().empty());  // only where the program asks for it
+      QVERIFY(rig.window->tabs().all().empty());  // opens only at the program's request
       rig.window->restoreSession();
       QCOMPARE(rig.window->tabs().all().size(), std::size_t(2));
       QCOMPARE(rig.document().path(), b);
@@ -1408,7 +1408,7 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(view->state().current() && view->state().current()->history.now() == given,
                              60000);
     QVERIFY(view->state().current()->history.canUndo());
-    // Now it is this editor's, already on the disk.
+    // The recovered import is stored by this editor now.
     QVERIFY(!QDir(at("recovery")).entryList({"*"}, QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
     rig.prompts.confirmAnswers.push_back(false);
     dialog->reject();

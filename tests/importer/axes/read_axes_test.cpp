@@ -406,7 +406,7 @@ TEST_CASE("a title set so tight that its line reaches into that of the numbers i
   auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s), writeLeft(looked.view, s);
   for (auto& text : looked.view.texts)
-    if (text.box.y0 == 512) text.box.y1 = 542;  // as high as its typeface
+    if (text.box.y0 == 512) text.box.y1 = 542;  // a box as high as its typeface
   looked.view.texts.push_back({"Travel [um]", {400, 520, 500, 550}, 0});
   const auto axes = readAxes(looked.view, looked.frame);
   REQUIRE(axes.ok());

@@ -303,7 +303,7 @@ TEST_CASE("hostile and broken documents are refused") {
       svg += "</g>";
     }
     PageLimits limits;
-    limits.maxPageSeconds = 4;  // a quarter of it for the program that draws
+    limits.maxPageSeconds = 4;  // the drawing program gets a quarter of this
     CHECK(english(documentRefusal(svg + "</svg>", "bomb.svg", limits).problem) ==
           "it takes too long to draw");
   }

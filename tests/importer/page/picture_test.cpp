@@ -328,7 +328,7 @@ TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
         mat.row(y + dy) = cv::Scalar(grey, grey, grey, 255);
       }
     };
-    for (int y = 5; y < 50; y += 8) row(y, grid);  // so pale that half its contrast hardly shows
+    for (int y = 5; y < 50; y += 8) row(y, grid);  // so pale that half the contrast hardly shows
     row(53, drawn);
     return pixel(firstPage(encoded(".png", mat)).overview, 30, 58);
   };

@@ -282,7 +282,8 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   import.explanation.left = {left};
   CHECK(import.doubts().empty());
   import.explanation.left.front().likeness = 0.8;
-  CHECK(import.doubted(DoubtCode::curveLeftOver));  // a remark: it may be another thing of the page
+  CHECK(import.doubted(
+      DoubtCode::curveLeftOver));  // only a remark: the pixels may be something else on the page
   import.explanation.left.front().atAnEnd = true;
   CHECK(import.doubted(DoubtCode::curveLeftOver));  // a refusal: the curve goes on
   import.explanation.left.front().atAnEnd = false;
@@ -346,7 +347,8 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   std::reverse(twice.release.begin(), twice.release.end());
   CHECK(twice.doubted(DoubtCode::strokesCoincide));
   twice.namedByLegend = true;
-  CHECK(twice.doubted(DoubtCode::strokesCoincide));  // in pixels a rim may have got the other's name
+  CHECK(twice.doubted(
+      DoubtCode::strokesCoincide));  // in pictures, a blurred rim may have got the other stroke's name
   twice.fromVector = true;
   CHECK_FALSE(twice.doubted(DoubtCode::strokesCoincide));  // a button without hysteresis
   twice.namedByLegend = false;
@@ -456,7 +458,7 @@ TEST_CASE("what came from paper is worth less, unless frame and axes were given"
   CHECK(import.weighed(DoubtCode::pageIsScan) == Approx(0.88));
   import.pageClass = PageClass::photo;
   CHECK(import.weighed(DoubtCode::pageIsPhoto) == Approx(0.66));
-  for (CurvePoint& p : import.press) p.force_N *= 1000;  // doubted beside: both count
+  for (CurvePoint& p : import.press) p.force_N *= 1000;  // a second doubt: both lower the confidence
   CHECK(import.weighed(DoubtCode::implausibleForce) == Approx(0.66 * 0.4));
   import.hints.frame = {{100, 100}, { 500, 500 }};
   import.hints.axes.xMin = import.hints.axes.yMin = 0;
@@ -605,7 +607,8 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
   labels.insert(labels.end(), 20, labels.front());
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);  // one misprint among many
-  leaves.hints.frame = {{100, 100}, {500, 500}};  // a person says so: taken, and still said
+  leaves.hints.frame = {{100, 100},
+                        {500, 500}};  // the user gave the frame: the result is accepted, and the remark stays
   CHECK(leaves.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
 }
 

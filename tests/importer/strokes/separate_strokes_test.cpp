@@ -157,7 +157,7 @@ TEST_CASE("A release that lies above the press is none", "[strokes]") {
   CHECK(found.failure().reason == nameOf(DoubtCode::releaseAbovePress));
   traces[1].color = {255, 0, 0};  // in colours of their own they may be two switches' as well
   CHECK_FALSE(separate(traces).ok());
-  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // a person says so
+  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // the user names the strokes
   CHECK(separate(traces).ok());
 }
 
@@ -179,13 +179,14 @@ TEST_CASE("A release that drops later than the press is another switch's", "[str
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
   const auto picksAColour = [](const Remedy& remedy) { return remedy.kind == RemedyKind::pickPress; };
-  CHECK(std::ranges::none_of(found.failure().remedies, picksAColour));  // both are black
+  CHECK(std::ranges::none_of(found.failure().remedies,
+                             picksAColour));  // both curves are black, so a colour does not tell them apart
   const auto inTwo = separate({dropping(1.2, 0.2, black), dropping(1.8, 0, red)});
   REQUIRE_FALSE(inTwo.ok());
   CHECK(std::ranges::any_of(inTwo.failure().remedies, picksAColour));
   for (const double earlier_mm : {1.2, 1.3, 0.7})
     CHECK(separate({traces[0], dropping(earlier_mm, 0, red)}).ok());
-  traces[1].color = red;  // a person says so
+  traces[1].color = red;  // the user names the strokes
   CHECK(separate(traces).ok());
 }
 
@@ -428,8 +429,7 @@ TEST_CASE("A locked key's release comes down to the force at rest: no legend has
     return found->confidence;
   };
   CHECK(confidenceOf({{2.5, 0.05}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) > 0.9);
-  CHECK(confidenceOf({{2.5, 0.35}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) <
-        0.5);  // ends in the middle of its force
+  CHECK(confidenceOf({{2.5, 0.35}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) < 0.5);      // ends at half the force
   CHECK(confidenceOf({{2.5, 0.05}, {2.6, 0.4}, {3.7, 0.6}, {3.8, 1.0}}) < 0.5);  // and begins elsewhere
 }
 

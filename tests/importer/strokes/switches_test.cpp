@@ -62,7 +62,7 @@ TEST_CASE("A name is found without its accents", "[switches]") {
 TEST_CASE("Where one of several names was not read its place says that it is a switch's", "[switches]") {
   std::vector<CurveTrace> traces{tracedSwitch("1.6 N", 10, 1), tracedSwitch("2.6 N", 60, 2, 1),
                                  tracedSwitch("", 90, 3, 2)};
-  CHECK(switchesAmong(traces).size() != 3);  // a curve beside them that no legend lists
+  CHECK(switchesAmong(traces).size() != 3);  // a curve beside the legend's curves that no entry lists
   traces[2].labelBox_px = {400, 50, 460, 62};
   const auto switches = switchesAmong(traces);
   CHECK(namesOf(switches) == Names{"1.6 N", "2.6 N", ""});
@@ -217,7 +217,7 @@ TEST_CASE("Beside press and release a mark without a name is none of them", "[sw
 TEST_CASE("A line without a name that only falls is no stroke beside a named one", "[switches]") {
   CurveTrace arrow = tracedSwitch("", 0, 3);
   for (Point& p : arrow.points_px) p.y = 100 + 0.5 * p.x;
-  std::ranges::reverse(arrow.points_px);  // from its tip
+  std::ranges::reverse(arrow.points_px);  // traced from its tip
   const std::vector<CurveTrace> traces{tracedSwitch("press", 60, 1), arrow, tracedSwitch("", 10, 2)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 1);
@@ -346,7 +346,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
   REQUIRE(first.ok());
   CHECK_FALSE(first->value.release);
   CHECK(first->value.press.points_px == shortest[0].points_px);  // the upper one counts first
-  CHECK(first->confidence <= 0.6);                               // nothing says that it has no release
+  CHECK(first->confidence <= 0.6);  // nothing shows that this switch has no release
 
   SECTION("they end together, and cross") {
     std::vector<CurveTrace> crossing{tracedSwitch("", 10, 1), tracedSwitch("", 10, 5)};
@@ -355,7 +355,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     for (Point& p : crossing[0].points_px)  // a snap that comes earlier on the way back
       if (p.x > 150 && p.x < 240) p.y = 300 - 10 - 0.3 * p.x - 10;
     CHECK(switchesAmong(crossing).size() == 1);
-    for (Point& p : crossing[0].points_px) p.x *= 0.95;  // ends elsewhere: a press of its own
+    for (Point& p : crossing[0].points_px) p.x *= 0.95;  // a curve that ends elsewhere is another press
     CHECK(switchesAmong(crossing).size() == 2);
     crossing[0].color = crossing[1].color;  // strokes of one colour that the tracer may have exchanged
     CHECK(switchesAmong(crossing).size() == 1);

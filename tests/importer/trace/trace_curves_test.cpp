@@ -290,7 +290,8 @@ TEST_CASE("Tints that compression leaves beside a line are no curves", "[trace]"
       REQUIRE(traces.ok());
       REQUIRE(traces->size() == 2);
       CHECK(apart(ofColor(*traces, pressColour).points_px, clippedAtTop(plot, down)) < 0.3);
-      CHECK(apart(ofColor(*traces, releaseColour).points_px, up) < 2);  // the press hides a part of it
+      CHECK(apart(ofColor(*traces, releaseColour).points_px, up) <
+            2);  // the press hides a part of the release
     }
 }
 
@@ -334,7 +335,7 @@ TEST_CASE("Shades that compression makes of thin lines on dark paper belong to t
   const auto traces = plot.trace();
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
-  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // the other hides a part of it
+  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // the other curve hides a part of it
   CHECK(apart(ofColor(*traces, lime).points_px, up) < 1);
 }
 
@@ -1309,7 +1310,7 @@ TEST_CASE("Short names of a legend, and the places of those not read, come to it
   plot.line(plot.at(press()), 2, kBlue, true);
   plot.line({{935, 100}, {955, 100}}, 2, kRed);
   plot.line({{935, 120}, {955, 120}}, 2, kBlue);
-  const double far = GENERATE(0.0, 6.0);  // from a sample to its word
+  const double far = GENERATE(0.0, 6.0);  // px from a legend key to its text
   const Box red{960 + far, 94, 996, 106}, blue{960 + far, 114, 998, 126};
   Plot one = plot, read = plot, unread = plot;
   one.sayOther("TS-10", red);
@@ -1332,7 +1333,7 @@ TEST_CASE("A filled square beside a name is its curve's sample", "[trace]") {
   plot.grid(6, 6, kGrey);
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, kBlue, true);
-  const double half = GENERATE(6.0, 20.0);  // of its height; letters are 12 px high
+  const double half = GENERATE(6.0, 20.0);  // half height of the key; letters are 12 px high
   const double apart = 2 * half + 8;
   plot.line({{940, 100}, {956, 100}}, 2 * half, kRed);
   plot.line({{940, 100 + apart}, {956, 100 + apart}}, 2 * half, kBlue);
@@ -1700,10 +1701,11 @@ TEST_CASE("A sample may have its curve's marker in the middle, and a box behind 
   const Rgb slate{44, 62, 80};
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, slate, true);
-  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal, true);  // no name stands for it
+  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal,
+            true);  // a curve without a name in the legend
   const double x = plot.box().x0 + 120;
   for (const double y : {60.0, 80.0}) plot.line({{x, y}, {x + 26, y}}, 2, y > 70 ? slate : kRed);
-  // Names behind their samples, or before them.
+  // Names behind their legend keys, or before them.
   const auto [toName, radius] = GENERATE(std::pair(32.0, 5.0), std::pair(-58.0, 8.0));
   plot.disc((x + 13 - plot.box().x0) / plot.box().width(), (plot.box().y1 - 60) / plot.box().height(), radius,
             kRed);

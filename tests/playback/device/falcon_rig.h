@@ -36,7 +36,7 @@ class FalconRig {
   void plugIn();
   /// As after the power switch: no firmware.
   void powerCycle();
-  /// The firmware it was given last, whole.
+  /// The last complete firmware that was uploaded.
   std::vector<std::uint8_t> firmware() const;
 
  private:

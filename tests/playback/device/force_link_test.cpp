@@ -472,7 +472,7 @@ TEST_CASE(
   for (int i = 0; i < 230; ++i) command = engine.step(answered(*device, command));
   CHECK(command.force_N ==
         Approx(test::linearButton().states().front().graph.curve(Stroke::release).force_N(3)).margin(0.01));
-  position_nm = -40000000;  // as far from where it was as no hand moves
+  position_nm = -40000000;  // farther from the last position than a hand moves in this time
   const double held_N = command.force_N;
   for (int i = 0; i < 3; ++i) command = engine.step(answered(*device, command));
   CHECK(command.force_N == Approx(held_N));
@@ -560,7 +560,7 @@ TEST_CASE("serial force device: the board's switch and the host's stop end the f
   engine.emergencyStop();
   for (int i = 0; i < 10; ++i) exchange();
   CHECK(firmware::force_uN == 0);
-  // The same while the board runs its own table.
+  // Emergency stop while the board runs its own table.
   engine.rearm();
   REQUIRE(takesTable(*device, program));
   for (int i = 0; i < 300; ++i) exchange();

@@ -169,7 +169,7 @@ TEST_CASE(
     CHECK(w.most_N <= 0.1);
     CHECK_FALSE(w.engine().last().proving);
     if (c.halt != ForceHalt::reversed) continue;
-    // Put right, a person's word starts it anew.
+    // When the wiring is right again, the force starts only after a person rearms it.
     w.motor = w.encoder = w.counts = 1;
     w.engine().rearm();
     w.runUntil(5);

@@ -58,7 +58,7 @@ TEST_CASE("force law: the on/off button holds at 22.9 mm and comes back after th
   CHECK(law.actuated());
   forceAfter(law, 24.5, 22.9);
   CHECK(law.state() == 1);
-  CHECK(forceAfter(law, 22.9, 22.0) < -0.4);  // restricted at the new rest
+  CHECK(forceAfter(law, 22.9, 22.0) < -0.4);  // the latched button holds the handle at its new rest position
   forceAfter(law, 22.0, 25.0);
   CHECK(law.actuated());
   CHECK(forceAfter(law, 25.0, 10) == Approx(1.0).margin(0.01));
@@ -113,7 +113,7 @@ TEST_CASE("force law: no number is read of what a button does not have") {
       CHECK_FALSE(presses(prepared));
     }
   }
-  // Properties that it has are read: push has damping.
+  // Properties that a button has are used: push has damping.
   PreparedForce push = forceOf(sampleButton("push"), simulatedDevice());
   for (ForceRow& row : push.program.states[0].rows) poison({&row.damping_Ns_per_mm});
   CHECK(presses(push));

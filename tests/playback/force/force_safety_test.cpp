@@ -150,7 +150,7 @@ TEST_CASE(
     wrong.restAt(2);
     CHECK(silent.secondsToSilence([&] { return silent.at(2, false); }) <= 0.015 - silent.period_s());
     CHECK(wrong.secondsToSilence([&] { return wrong.at(std::nan("")); }) <= 0.015 - wrong.period_s());
-    CHECK(silent.restAt(2) != 0);  // nothing moved: it comes back
+    CHECK(silent.restAt(2) != 0);  // the handle did not move, so the force comes back
     CHECK(wrong.restAt(2) != 0);
     ForceReading away;
     away.position_mm = 2;

@@ -144,7 +144,7 @@ TEST_CASE("A press too faint for a format is refused by its name, never written 
                        format.value == ExportFormat::ahap || format.value == ExportFormat::haptic ||
                        format.value == ExportFormat::openxr ||
                        format.value == ExportFormat::hjif;    // any number is one of theirs
-    const bool pad = format.value == ExportFormat::touchpad;  // plays waves of its own
+    const bool pad = format.value == ExportFormat::touchpad;  // formats that play their own waves
     CHECK(written.ok() == (exact || pad));
     if (written) continue;
     CHECK(written.failure().code == FailureCode::wrongUsage);

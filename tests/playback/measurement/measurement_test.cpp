@@ -217,7 +217,7 @@ TEST_CASE("calibrate: truth within the error bars, degree only as high as suppor
   }
   CHECK(tooHigh < trials / 4);
   CHECK(inside > 0.8 * (trials - tooHigh));
-  // A truly bent sensor gets its bend.
+  // A sensor that is really curved gets its curvature.
   std::vector<KnownWeight> bent;
   for (double u = 0.05; u < 2; u += 0.1) bent.push_back({2 * u + 1.5 * u * u, 1023 * u / (1 + u)});
   const Result<SensorCalibration> c = calibrate(bent, settings);

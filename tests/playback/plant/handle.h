@@ -18,8 +18,8 @@ namespace detent::test {
 struct HandleSettings {
   double mass_kg = 0.05;
   double damping_Ns_per_mm = 0.001;
-  double coulomb_N = 0.05;   ///< while it slides
-  double static_N = 0.06;    ///< while it sticks, >= coulomb_N
+  double coulomb_N = 0.05;   ///< sliding friction, N
+  double static_N = 0.06;    ///< friction at rest, >= coulomb_N
   double motorLag_s = 0;     ///< time constant from a command to its force, 0: at once
   double motorLimit_N = 20;  ///< saturation, both signs
   double lowest_mm = -20, highest_mm = 200;
@@ -32,7 +32,7 @@ struct HandleSettings {
 /// follows its nerve with about 40 ms. Numbers from memory of these papers, not read off them.
 struct FingerSettings {
   double mass_kg = 0.006;
-  double stiffness_N_per_mm = 0.3, damping_Ns_per_mm = 0.003;  ///< of the joint, towards where it aims
+  double stiffness_N_per_mm = 0.3, damping_Ns_per_mm = 0.003;  ///< of the finger's joint, towards its aim
   double pulpForce_N = 0.25, pulpRate_per_mm = 2.5;            ///< F = force (exp(rate d) - 1)
   double pulpLoss_s_per_mm = 0.003;                            ///< Hunt and Crossley: F (1 + loss d')
   double muscleLag_s = 0.04;

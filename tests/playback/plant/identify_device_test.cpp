@@ -209,7 +209,7 @@ TEST_CASE("what a pause of the computer hides does not enter", "[identify]") {
   Chance chance(20);
   for (const double pauses_s : {0.012, 0.03}) {
     KnownDevice d = knownDevice(chance);
-    d.handle.mass_kg = 0.2;  // light ones would fly out of their range meanwhile
+    d.handle.mass_kg = 0.2;  // light handles would leave their range meanwhile
     d.rate_Hz = 1000;
     d.pauses_s = pauses_s;
     const playback::MotionIdentification m = measured(d);

@@ -17,7 +17,7 @@ namespace {
 
 struct Actuation {
   std::uint32_t state = 0;
-  double force_N = 0;  ///< strongest the button gave on the way to it
+  double force_N = 0;  ///< largest force of the button on the way to the latch
   std::size_t press = 0;
 };
 struct LatchRun {
@@ -104,9 +104,9 @@ std::size_t actuationsOff(double share) {
 
 }  // namespace
 
-// A softened bottom-out reaches its force later than drawn: an operating point left where it is drawn acts at
-// 0.05 N. On a bottom-out of 2 N/mm a fast finger moves 0.14 mm between two readings, so the force at the first
-// reading beyond the operating point is larger than drawn.
+// A softened bottom-out reaches its force later than drawn: an operating point left where it is drawn acts
+// at 0.05 N. On a bottom-out of 2 N/mm a fast finger moves 0.14 mm between two readings, so the force at the
+// first reading beyond the operating point is larger than drawn.
 TEST_CASE("1,000 fingers: a latch acts within 5 % of its drawn force", "[latch]") {
   CHECK(actuationsOff(0.05) == 0);
 }

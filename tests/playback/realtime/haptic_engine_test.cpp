@@ -504,7 +504,7 @@ TEST_CASE("engine: the limiter keeps the form of an attack") {
       free[i] = gain * (burst(960, 390, 0.034, 0.9) + (before > 0 ? burst(0, 150, 0.06, before) : 0));
     }
     double product = 0, own = 0, rest = 0;
-    for (std::size_t i = 960; i < 1083; ++i) {  // its first wave
+    for (std::size_t i = 960; i < 1083; ++i) {  // first wave of the bottom-out
       product += free[i] * static_cast<double>(limited[i]);
       own += free[i] * free[i];
     }

@@ -421,7 +421,7 @@ TEST_CASE(
   const JournalText whole = splitJournal(text.substr(0, last));
   for (std::size_t length = last; length < text.size(); length += 17) {
     std::ofstream(file, std::ios::binary) << text.substr(0, length);
-    REQUIRE(writeHead(file, whole.lines.size(), chainAfter(whole.lines)));  // as a crash leaves it
+    REQUIRE(writeHead(file, whole.lines.size(), chainAfter(whole.lines)));  // as after a crash
     const Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
     REQUIRE(session);
     CHECK(session->record().answers.size() == 2);
