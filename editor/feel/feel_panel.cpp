@@ -141,7 +141,7 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   column->addWidget(setupToggle_, 0, Qt::AlignLeft);
   column->addWidget(setupPage_);
   column->addStretch(1);
-  // In a low dock not all of it has room; whatever is wrapped, everything can be reached.
+  // A low dock has no room for all parts, so the content scrolls.
   auto* area = new QScrollArea;
   area->setAccessibleName(tr("Sound, force and setup"));
   area->setWidget(whole);

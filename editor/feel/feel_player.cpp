@@ -72,8 +72,8 @@ void FeelPlayer::letGo() {
   if (held == Finger::depth || (held == Finger::lifting && !liftsForce_)) player_->pushDisplacement(0);
 }
 
-// A force that was let go falls at the pace of a finger: the next button must not find what is left of it. A
-// silent player costs nothing to begin anew; one with a device or a sensor keeps them.
+// Starts a silent player anew, because a released force falls slowly and the next button must not find a
+// rest of it. A player with a device or a sensor is kept.
 void FeelPlayer::forgetPress() {
   if (!player_ || status_.sounding || devicePosition_mm_ || !sensor_.port.empty()) return;
   player_.reset();

@@ -54,7 +54,7 @@ class FeelPlayer : public QObject {
   void startSound();
   void setGain(double gain);  ///< factor >= 0, before the limiter
 
-  /// An empty port lets go. Kept over a change of the sound device, and while there is nothing to press.
+  /// Opens a sensor; an empty port closes it. It stays open while the sound device or the button changes.
   void setSensor(const SensorPort& sensor);
   /// The reason why the sensor's port could not be opened, and the remedy; empty if there is no trouble.
   const QString& sensorTrouble() const { return sensorTrouble_; }
@@ -74,7 +74,8 @@ class FeelPlayer : public QObject {
   /// is off, or another press is under way.
   bool play(std::shared_ptr<const playback::PressTrace> press);
   bool playing() const { return player_ && (player_->tracePlaying() || player_->samplesPlaying()); }
-  /// Plays samples (at 48000 a second) that no button made, in the same way. False likewise.
+  /// Plays samples (at 48000 a second) that no button made. Returns false under the same conditions as
+  /// play().
   bool playSamples(std::shared_ptr<const std::vector<float>> samples);
   void stopSamples();
   bool samplesPlaying() const { return samplesToPlay_ || (player_ && player_->samplesPlaying()); }

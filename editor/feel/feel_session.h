@@ -47,7 +47,7 @@ class FeelSession : public QObject {
   FeelSide feltSide() const { return felt_; }
   /// The pressed button: A, or B after an exchange.
   ButtonDocument* feltDocument() const { return felt().document; }
-  /// Puts that button under the finger; nothing where there is none.
+  /// Puts that button under the finger; does nothing if there is none.
   void feel(FeelSide side);
   void exchange() { feel(felt_ == FeelSide::a ? FeelSide::b : FeelSide::a); }
   bool exchangeable() const { return slots_[0].document && slots_[1].document; }

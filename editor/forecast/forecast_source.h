@@ -25,7 +25,7 @@ enum class ForecastPairs : std::uint8_t {
 struct Forecast {
   std::uint64_t revision = 0;
   std::vector<playback::PredictedPair> pairs;
-  QString trouble;  ///< why there are none; empty otherwise
+  QString trouble;  ///< why there is no forecast; empty otherwise
 };
 
 /// One worker thread, begun with the first request. What a button feels like and what was said of a pair is

@@ -22,7 +22,7 @@ class ImportClient : public QObject {
   Q_OBJECT
 
  public:
-  using Ticket = quint64;  ///< 0 is none
+  using Ticket = quint64;  ///< 0: no request
 
   explicit ImportClient(QObject* parent = nullptr);
   ~ImportClient() override;

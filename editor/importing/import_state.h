@@ -38,7 +38,7 @@ struct ResultBrief {
 /// One of several switches in a plot.
 struct SwitchChoice {
   std::string
-      curve;  ///< Corrections::curve that takes it: its name, or its number where names do not tell it
+      curve;  ///< value of Corrections::curve that takes this switch: its name, or its number if several have that name
   const importer::PlotSwitch* itself = nullptr;  ///< lives as long as the result it came with
 };
 

@@ -183,7 +183,7 @@ std::vector<MarkCorrection> withMark(std::vector<MarkCorrection> given, MarkCorr
     given.push_back(next);
     return given;
   }
-  // One that was put somewhere by hand goes on from there.
+  // A point that was moved before starts from its corrected place.
   for (std::size_t i = 0; i < given.size(); ++i) {
     MarkCorrection& mark = given[i];
     if (mark.kind != CorrectionKind::tactile || mark.stroke != next.stroke || !mark.to || !next.from ||

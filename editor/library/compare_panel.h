@@ -36,7 +36,7 @@ class ComparePanel : public QWidget {
   explicit ComparePanel(ViewSettings& settings, QWidget* parent = nullptr);
   ~ComparePanel() override;
 
-  /// The buttons that can be chosen. One that is no longer among them is let go of.
+  /// Sets the buttons that can be chosen. A compared button that is not among them is dropped.
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   void compare(ButtonDocument* first, ButtonDocument* second);
   /// True if the button is one of those compared.

@@ -28,7 +28,7 @@ class MorphDialog : public QDialog {
   MorphDialog(std::vector<Button> buttons, std::size_t first, const DisplayUnits& units,
               QWidget* parent = nullptr);
 
-  /// The button the slider stands at; empty while there is none between the two chosen.
+  /// The button at the slider's position; empty if the two chosen buttons cannot be blended.
   const std::optional<Button>& between() const { return between_; }
 
  protected:

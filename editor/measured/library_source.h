@@ -26,8 +26,8 @@ class LibrarySource : public QObject {
   explicit LibrarySource(QObject* parent = nullptr);
   ~LibrarySource() override;  ///< cancels what runs, and waits for it
 
-  /// `loaded` or `failed` follows. A library that cannot be read, as that of another version of the program,
-  /// is made anew from folders, where some are given: then as index().
+  /// Loads a library; `loaded` or `failed` follows. A library that cannot be read, for example that of
+  /// another version, is rebuilt from `orFrom`'s folders as by index().
   void load(const QString& database, LibraryRequest orFrom = {});
   /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
   void index(LibraryRequest request);

@@ -45,7 +45,8 @@ class MeasuredTable : public QAbstractTableModel {
   void setSwitches(std::shared_ptr<const MeasuredSwitches> switches);
   void setUnits(const DisplayUnits& units);
   void setFilter(SwitchFilter filter);
-  /// Distances of all to this shape; without one there are none. Where no column sorts, the nearest is first.
+  /// Computes the distances of all switches to this shape; without one there are none. If no column sorts,
+  /// the nearest is first.
   void rankBy(const std::optional<importer::FeltShape>& like);
   /// Forecast of one switch, in a few words.
   void setForecast(SwitchIndex of, const QString& words);

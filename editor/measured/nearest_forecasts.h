@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI
-/// thread.
+/// Reads the switches' logs again, because a forecast needs the whole button; a new request replaces the
+/// running one. GUI thread.
 class NearestForecasts : public QObject {
   Q_OBJECT
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int watch_ms = 30;
 constexpr int consentText_pt = 18;
 
-/// The text of a file: its lines are broken anew, empty lines part paragraphs.
+/// The text of a file as paragraphs: single line breaks become blanks, empty lines separate paragraphs.
 QString flowing(const std::string& text) {
   QStringList paragraphs = QString::fromStdString(text).trimmed().split("\n\n");
   for (QString& paragraph : paragraphs) paragraph = paragraph.simplified();

@@ -20,7 +20,7 @@ struct DeviceChoice {
   QString ending;  ///< ".ahap"
 };
 
-/// Format, press and what is lost, counted anew with every change (10 ms). GUI thread.
+/// Format, press and the losses of the format, recomputed with every change (10 ms). GUI thread.
 class DeviceExportDialog : public QDialog {
   Q_OBJECT
 

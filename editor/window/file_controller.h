@@ -16,8 +16,8 @@ namespace detent::editor {
 
 class BatchDialog;
 
-/// Troubles are said as notices where they happen; nothing here changes a document that is open because
-/// another file is broken. GUI thread.
+/// Shows errors as notices beside the document they belong to. A broken file never changes an open document.
+/// GUI thread.
 class FileController : public QObject {
   Q_OBJECT
 

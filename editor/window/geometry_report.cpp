@@ -109,7 +109,7 @@ QJsonObject widgetJson(const QWidget& widget) {
   return object;
 }
 
-// Qt's own inner widgets have names too; they tell a test nothing.
+// Qt's internal widgets have names too, but they are of no use to a test.
 bool worthTelling(const QWidget& widget) {
   return widget.isVisible() && !widget.objectName().isEmpty() && !widget.objectName().startsWith("qt_");
 }

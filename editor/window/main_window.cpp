@@ -136,8 +136,7 @@ MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
   showTab(nullptr);
 }
 
-// Documents go first, and through the same door as always: panels, recovery and
-// watch let go of them.
+// Closes the documents first, in the usual way, so that panels, recovery and file watch release them.
 MainWindow::~MainWindow() {
   sessionHeld_ = true;
   for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
@@ -192,7 +191,7 @@ QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWi
   return dock;
 }
 
-// A panel that lies behind another one's tab is not seen: it is shown, not hidden.
+// Shows or hides a panel. A panel behind another one's tab counts as hidden.
 void MainWindow::turn(QDockWidget& dock) {
   const bool seen = dock.isVisible() && !dock.visibleRegion().isEmpty();
   if (seen) return dock.hide();

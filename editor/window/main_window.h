@@ -183,7 +183,7 @@ class MainWindow : public QMainWindow {
   QAction* toolsEnd_ = nullptr;  // the tools of the shown button stand before this action
   QAction *showEdit_ = nullptr, *showCompare_ = nullptr, *showFeel_ = nullptr;
   bool docksAway_ = false;
-  QList<QDockWidget*> awayDocks_;    // docks that come back with the view of editing
+  QList<QDockWidget*> awayDocks_;    // docks that are shown again when the user returns to Edit
   QPointer<QDockWidget> frontDock_;  // of docks that share a place
   QByteArray firstState_;            // of the docks, before any was moved
   bool docksAreNew_ = false;         // nothing was kept of how they were arranged

@@ -33,7 +33,7 @@ using detent::tests::TerminalProgram;
 
 namespace {
 
-/// On the sensor; set by whoever presses.
+/// force on the sensor, set by the simulated finger
 std::atomic<double> force_N{0};
 
 /// One line of docs/reference/serial-protocol.md: a sensor whose conductance rises with the force, 10 kOhm to
@@ -212,8 +212,8 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder, 
   CHECK(program.exitCode(5) == 0);
   INFO(program.screen());
   CHECK(program.screen().find("1 press jumps, 1 release jumps, 1 bottom-outs") != std::string::npos);
-  // One thing is said, which the page foretells: the sweep's equalizer spares the jumps. A board that halts
-  // is warned of, too.
+  // The one expected warning, which the page mentions: the sweep's equalizer spares the jumps. A board that
+  // stops is reported, too.
   const std::size_t said = program.screen().find("warning:");
   CHECK(said != std::string::npos);
   INFO("the simulated board or finger halted for up to " << board.longestHalt_s() << " s");

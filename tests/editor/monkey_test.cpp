@@ -33,7 +33,7 @@ using namespace detent::editor::tests;
 
 namespace {
 
-// Rebuilds everything from its parts: whatever rule there is, it holds.
+// Rebuilds everything from its parts, so that each rule is checked.
 void verifyValid(const Button& button) {
   std::vector<ButtonState> states;
   for (const ButtonState& state : button.states()) {

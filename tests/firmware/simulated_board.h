@@ -45,7 +45,8 @@ class SimulatedBoard {
   void send(const std::string& bytes);
   /// Everything received so far and not taken yet.
   std::string take();
-  /// Sends a body with its checksum and runs until a line comes back; the line's body, or "" after `wait_us`.
+  /// Sends a body with its checksum and runs the board until a line comes back. Returns the line's body, or
+  /// "" after `wait_us`.
   std::string ask(const std::string& body, double wait_us = 30000);
 
   void setPin(Pin pin, bool high);

@@ -225,8 +225,8 @@ TEST_CASE("any tactile point of any curve can be moved a little") {
         const CurvePoint to{points[i].displacement_mm, points[i].force_N + outwards};
         const auto moved = moveTactilePoint(curve, stroke, i, to);
         if (!moved) continue;  // a neighbouring turn of the same height, refused by name
-        // A turn is there, or a level top of which half was held goes on from there. The whole curve decides
-        // what is a tactile point, and where the bottom-out begins.
+        // The point is an extremum, or the end of a level top of which half was fixed. The whole curve
+        // decides which extrema are tactile points, and where the bottom-out begins.
         RC_ASSERT(std::abs(moved->force_N(to.displacement_mm) - to.force_N) < 1e-12 ||
                   std::abs(moved->forceBefore_N(to.displacement_mm) - to.force_N) < 1e-12);
         const auto turns = stroke == Stroke::press ? moved->localMaxima() : moved->localMinima();

@@ -453,7 +453,7 @@ void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
   QVERIFY2(std::abs(corners[3].x - 100) < 1.5 && std::abs(corners[3].y - 500) < 1.5,
            qPrintable(QString("%1, %2").arg(corners[3].x).arg(corners[3].y)));
   QVERIFY(again(state));
-  QVERIFY(state.current()->last->failure);  // numbers are missing, and that is said
+  QVERIFY(state.current()->last->failure);  // an error says that numbers are missing
   QVERIFY(dialog.banner->isVisible());
   keepPicture(dialog, "no-numbers");
   for (const auto& [field, value] : {std::pair("xMin", "0"), {"xMax", "4"}, {"yMin", "0"}, {"yMax", "120"}}) {
@@ -503,8 +503,7 @@ void ImportDialogTest::whileAGraphIsReadNothingSaysThereIsNone() {
   QVERIFY(!saidWhileRead);
 }
 
-// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does
-// not name, are not.
+// The file filter shows every sample sheet, whatever the case of its ending, and no button files.
 void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
   const QString filter = importFilters().front();
   const QString patterns = filter.section('(', -1).section(')', 0, 0);
@@ -723,7 +722,7 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QTest::mouseMove(&view, (from + to) / 2);
   QTest::mouseMove(&view, to);
   QVERIFY(view.hasPreview());
-  QVERIFY(!state.working());  // nothing is computed before the hand lets go
+  QVERIFY(!state.working());  // nothing is computed during the drag
   QTest::keyClick(&view, Qt::Key_Escape);
   QVERIFY(!view.hasPreview());
   QVERIFY(!state.current()->history.canUndo());

@@ -322,7 +322,7 @@ class MeasuredTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 4, patience_ms);
     QCOMPARE(view_->model()->rowCount(), 4);
 
-    // Another version of the program meets the library: it is made anew from its folders, and that is said.
+    // A library of another program version is rebuilt from its folders, with a notice.
     {
       std::fstream file(folder.filePath("l.db").toStdString(),
                         std::ios::in | std::ios::out | std::ios::binary);

@@ -394,7 +394,7 @@ void KeyFiguresPanelTest::whatIsShownIsWhatCanBeTyped() {
           const QModelIndex at = model.index(row, KeyFiguresModel::now);
           const QString text = at.data(Qt::EditRole).toString();
           QVERIFY2(model.refusalOf(at, text).isEmpty(), qPrintable(text));
-          // The text that the cell offers for editing, given back unchanged, is no step.
+          // Returning the offered text unchanged makes no undo step.
           QVERIFY(model.setData(at, text, Qt::EditRole));
         }
         QCOMPARE(rig.steps(), 0);

@@ -169,7 +169,7 @@ struct Rig {
 
 QPushButton* buttonIn(StudyWindow* window, const char* name) { return window->findChild<QPushButton*>(name); }
 
-/// Agrees and reads what is said first.
+/// Agrees to the consent and reads the instructions.
 void agree(StudyWindow* window) {
   if (buttonIn(window, "studyBegin")->isVisible()) QTest::keyClick(window, Qt::Key_Y);
   if (buttonIn(window, "studyContinue")->isVisible()) QTest::keyClick(window, Qt::Key_Return);
@@ -943,7 +943,7 @@ class StudyTest : public QObject {
     QVERIFY(!rig.trouble().contains("errors=P"));
   }
 
-  /// No option of the other program, whatever is wrong.
+  /// Errors name controls of the window, never options of the command-line program.
   void whatIsWrongIsNamedAsTheWindowDoes() {
     Rig rig;
     StudyMaker maker({&rig.a, &rig.b}, {});

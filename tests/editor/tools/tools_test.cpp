@@ -130,7 +130,7 @@ void ToolsTest::aDimensionMovesItsContact() {
   QVERIFY(!rig.canvas().flagAt({rig.pixel(*rig.canvas().state().operatingPoint_mm, 0).x(), arrow.y()}));
 }
 
-// While it moves, the curve as it was stays in sight, and the status says what the keys do.
+// During a drag the previous curve stays visible, and the status bar explains the keys.
 void ToolsTest::aDragShowsWhatItChanges() {
   WorkspaceRig rig(require(tactileButton()));
   QSignalSpy said(&rig.workspace, &GraphWorkspace::statusMessage);
@@ -738,7 +738,7 @@ void ToolsTest::manyAreNudgedAndRemovedAsOneStep() {
   QCOMPARE(rig.steps(), 2);
   QCOMPARE(rig.press().knots().size(), knots.size() - 2);
   QVERIFY(rig.canvas().selection().empty());
-  // All of them cannot go; nothing happens, and it is said.
+  // Not all knots can be removed: nothing changes, and a message says so.
   rig.action("editSelectAll")->trigger();
   const Button left = rig.button();
   rig.key(Qt::Key_Delete);

@@ -289,12 +289,12 @@ TEST_CASE("three digits behind a sign are thousands where whole numbers stand be
   CHECK(readTogether({"0", "500", "1,000", "1,500"}, ThousandsSign::certain)[2].front().value == 1000);
   CHECK(readTogether({"0", "1,000", "2,000"}, ThousandsSign::certain)[1].front().value == 1000);
   CHECK(readTogether({"250", "500", "750", "1.000"}, ThousandsSign::certain)[3].front().value == 1000);
-  // Decimals say so themselves.
+  // "0,500" proves that "," is a decimal sign.
   CHECK(readTogether({"0,000", "0,500", "1,000"}, ThousandsSign::none)[2].front().value == 1);
   CHECK(readTogether({"0.5", "1.000"}, ThousandsSign::none)[1].front().value == 1);
   CHECK(readTogether({"050", "1.000"}, ThousandsSign::none)[1].front().value == 1);  // lost its point
   CHECK(readTogether({"1.000", "1.250", "1.500"}, ThousandsSign::none)[1].front().value == 1.25);
-  // Nobody can tell.
+  // Here "," may be a decimal sign or a thousands separator.
   CHECK(readTogether({"1,000", "2,000", "3,000"}, ThousandsSign::possible)[0].front().value == 1);
   CHECK(readTogether({"0", "1.000", "2.000"}, ThousandsSign::possible)[1].front().value == 1);
 }

@@ -85,7 +85,7 @@ TEST_CASE("correlation of residuals is found") {
 
 namespace {
 
-/// A chain's matrix of random residuals, its last knot standing apart as there is none behind it.
+/// A chain's matrix of random residuals; the last knot is decoupled, because no piece follows it.
 BandMatrix randomMatrix(std::size_t knots, std::size_t rows) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal(0, 1);

@@ -95,7 +95,7 @@ TEST_CASE("a switch is called what its file calls it, without what the file is")
         SwitchName{"Leobog Nimbus", "", ""});
   CHECK(switchNameFrom("d/JWK-Bouquet-Sample-2-Measurement-1.ods") == SwitchName{"JWK Bouquet", "2", "1"});
   CHECK(switchNameFrom("Topre_R1_45g/DataLog_4.csv") == SwitchName{"Topre R1 45g", "", "4"});
-  // A laboratory's own ways to tell units apart: a number behind the folder's name, a nought before it.
+  // Forms of unit names of laboratories: a number behind the folder's name, or a leading zero.
   CHECK(switchNameFrom("d/Clickiez 40g__Clickiez 40g 2 Raw Data CSV.csv") ==
         SwitchName{"Clickiez 40g", "2", ""});
   CHECK(switchNameFrom("AEBoards Naevy EC/AEBoards Naevy EC 3 Raw Data CSV.csv") ==

@@ -748,7 +748,7 @@ TEST_CASE("sheets named as strokes are one button") {
   if (!log) FAIL(log.failure().sentence());
   CHECK(log->yUnit == "gf");
   checkButton(*log);
-  // Two buttons of two sheets each; a release without its press is none.
+  // Two buttons of two sheets each; a release without its press does not count.
   const LayoutFile two(book(table("A press", plain.c_str(), true, true, 1, 1) +
                             table("A release", plain.c_str(), false, false, 1, 1) +
                             table("B press", plain.c_str(), true, true, 1, 1.5) +

@@ -180,7 +180,7 @@ TEST_CASE("letters whose font the page does not bring are read and drawn, in eve
     CHECK(opened.page.texts.size() >= 1);
     CHECK(darkPixels(opened.page.overview) > 100);
   }
-  // No font for cuneiform is linked, nor for music: a box stands for the sign, and it is named.
+  // No font for cuneiform or music is linked: a box replaces the sign, and a remark names it.
   const auto rare = open(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\" height=\"100\"><text x=\"20\" "
       "y=\"60\">\xf0\x92\x80\x80</text></svg>",

@@ -362,7 +362,7 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import falls;
   falls.press.push_back({3.21, 0});
   CHECK(falls.doubted(DoubtCode::endsInAFall));
-  Import falling;  // a line of a chart that falls and comes back
+  Import falling;  // a curve of a chart that falls and comes back
   falling.press = {{0, 1}, {1, 0.4}, {2, 0}, {3, 0}, {3.5, 0.7}};
   CHECK(falling.doubted(DoubtCode::endsInAFall));
   falling.press.back().force_N = 1.5;  // a key that snaps at once, and its bottom-out

@@ -906,7 +906,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(left() == 1);
     press.labelBox_px = {to.x + 6, to.y - 7, to.x + 60, to.y + 7};
     CHECK(left() == 0);
-    // In another row, or far away, it is a piece of a line.
+    // A text in another row, or far away, does not belong to this line.
     press.labelBox_px = {to.x + 6, to.y + 7, to.x + 60, to.y + 21};
     CHECK(left() == 1);
     press.labelBox_px = {to.x + 60, to.y - 7, to.x + 120, to.y + 7};

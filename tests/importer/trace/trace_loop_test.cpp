@@ -64,7 +64,7 @@ class Plot {
     for (double y = 0; y < 1; y += 0.024) line({at(x, y), at(x, y + 0.014)}, width);
   }
 
-  /// Something as dense as a word, on a hole in whatever was below.
+  /// Draws marks as dense as a word, and erases the background behind them.
   void word(double x, double y, int glyphs) {
     const double h = 0.035 * (bottom_ - top_), w = 0.6 * h;
     const Point corner = at(x, y);
@@ -410,8 +410,7 @@ TEST_CASE("loop: two switches whose straight strokes cross are refused in one in
 }
 
 TEST_CASE("loop: presses of two switches without their releases are refused in one ink", "[trace_loop]") {
-  // Of two bottom-outs at different travels one is left over, or the lower press goes on farther than the
-  // upper.
+  // A bottom-out at another travel is left over, or the lower press goes on farther than the upper.
   const auto [end, top] = GENERATE(table<double, double>({{0.62, 0.92}, {0.72, 0.9}}));
   CAPTURE(end, top);
   Plot plot(800, 600, 2);
@@ -435,7 +434,7 @@ TEST_CASE("loop: two presses that cross are refused in one ink, walls that lie o
 }
 
 TEST_CASE("loop: a stroke that changes over to another line is refused", "[trace_loop]") {
-  // Both must end as far out: the upper one leaves its line for the lower one's.
+  // Both strokes must end at the same travel: the upper one goes over to the lower one's line.
   Plot plot(800, 600, 2);
   plot.grid(4, 6, 0.5);
   plot.curve(plot.at(Curve{{0.0, 0.02}, {0.05, 0.26}, {0.6, 0.34}, {0.64, 0.6}}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A Novint Falcon that is none: its USB chip and its processor's boot loader under umockdev, so that Debian's
-// own libusb talks to it. What it should do is read from libnifalcon, not measured.
+// A simulated Novint Falcon: its USB chip and its processor's boot loader under umockdev, so that Debian's
+// own libusb talks to it. Its behaviour is taken from libnifalcon, not measured.
 
 #include <array>
 #include <atomic>

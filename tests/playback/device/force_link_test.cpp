@@ -742,7 +742,7 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
     odrive.mode = 2;
     CHECK_FALSE(device->exchange({}).fresh);
     CHECK(device->counts().late >= 1);
-    odrive.mode = 3;  // a number that is none reaches the guard, which holds the force and then takes it away
+    odrive.mode = 3;  // NaN reaches the guard, which holds the force and then takes it away
     CHECK(std::isnan(answered(*device).position_mm));
   }
   for (const double end_s = now_s() + 20; odrive.state != 1 && now_s() < end_s;) sleepUntil(now_s() + 0.01);

@@ -202,7 +202,7 @@ TEST_CASE("uploaded, by the host and simulated: the same force under the same li
       return engine.step(reading).force_N;
     };
     for (int k = 0; k < 400; ++k) forceAt(-0.5);
-    for (double at_mm = -0.5; at_mm < 5.5; at_mm += 0.0005) {  // 0.5 mm/s: no damping to speak of
+    for (double at_mm = -0.5; at_mm < 5.5; at_mm += 0.0005) {  // at 0.5 mm/s damping is negligible
       const double host_N = forceAt(at_mm),
                    uploaded_N = std::min(5.0, device.table().force_N(at_mm, true, 0));
       INFO(button << " at " << at_mm << " mm");
@@ -310,7 +310,7 @@ TEST_CASE("rows that get lost on a link slower than eight questions are missed: 
   settings.rows = 24;
   settings.losesRow = 3;
   const auto fine = [&](const Exchanged& r) {
-    // Every row at least twice: answers come so late that it is said again before it is acknowledged.
+    // Every row was sent at least twice, because its acknowledgement comes after it is due again.
     return r.risen_s > r.gone_s + 0.05 && r.worst_N < 0.03 &&
            r.rowsSent >= 2 * static_cast<int>(settings.rows);
   };

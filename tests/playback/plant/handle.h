@@ -71,7 +71,7 @@ class HandleAndFinger {
 
   /// One integration step. `command_N`: force last requested from the motor.
   void advance(double command_N);
-  /// No finger: the handle is alone from now on, and energy is counted anew.
+  /// Removes the finger and resets the energy counts.
   void takeFingerAway();
   /// The tip flies at a speed, `gap_mm` before the handle.
   void throwTip(double gap_mm, double speed_mm_per_s);

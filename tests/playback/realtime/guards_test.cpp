@@ -24,7 +24,7 @@ std::size_t countOf(const Crossings& crossings, CrossingKind kind) {
   return n;
 }
 
-/// A press jump at 1 mm; a release that comes back to just before it, not as far as where the jump arms
+/// A button with a press jump at 1 mm, whose release ends just before it, not far enough to arm the jump
 /// again.
 Button returningButton() {
   return buttonOf("returning",

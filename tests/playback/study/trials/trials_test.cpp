@@ -729,7 +729,7 @@ TEST_CASE("trial controller: nothing is answered unfelt; times and tries are cou
   CHECK_FALSE(controller.mayAnswer());
   controller.tried(1, 113);
   CHECK_FALSE(controller.mayAnswer());
-  controller.felt({1, 0, 0.5, 1});  // let go too early
+  controller.felt({1, 0, 0.5, 1});  // released too early
   CHECK_FALSE(controller.mayAnswer());
   controller.tried(1, 114);
   controller.felt({1, 1, 1.2, 2.5});
