@@ -40,9 +40,10 @@ struct GraphScene {
   const CanvasFeedback& feedback;
   std::span<const MarkId> selection;  ///< the last one has handles
   std::optional<FingerPosition> finger;
-  const ButtonState* otherState = nullptr;                 ///< of a self-locking button: drawn faintly
-  std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
-  bool handlesShown = true;                                ///< knots and handles; off in exported pictures
+  const ButtonState* otherState = nullptr;  ///< of a self-locking button: drawn faintly
+  std::span<const CurvePoint> tracedPress,
+      tracedRelease;         ///< traced points, to which residuals are drawn; empty: none
+  bool handlesShown = true;  ///< knots and handles; off in exported pictures
   std::optional<ReadingError>
       readingError;  ///< of an imported graph: decides how many digits of its forces are shown
   std::span<const Note> notes = {};          ///< remarks; only those of this state are drawn

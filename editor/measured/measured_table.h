@@ -60,7 +60,7 @@ class MeasuredTable : public QAbstractTableModel {
   std::optional<double> distanceOf(SwitchIndex of) const;
   /// Spread of all records of that switch by its laboratory.
   importer::SwitchSpread spreadOf(SwitchIndex of) const;
-  /// Ratings of a switch of that name.
+  /// Ratings of switches with this switch's name.
   std::vector<importer::Rating> ratingsOf(SwitchIndex of) const;
   bool ranked() const { return !distances_.empty(); }
 

@@ -50,7 +50,7 @@ KnownWords knownWordsIn(std::string_view text);
 struct ColumnUnit {
   enum class Kind { none, displacement, force, time, other, unknown };
   Kind kind = Kind::none;
-  double size = 1;  ///< mm, N or s in one of it
+  double size = 1;  ///< mm, N or s in one unit
   std::string text;
   bool isKnown() const { return kind != Kind::none && kind != Kind::unknown; }
   bool isOfButton() const { return kind == Kind::displacement || kind == Kind::force; }

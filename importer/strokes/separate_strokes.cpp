@@ -79,7 +79,8 @@ std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, doubl
 
 struct Comparison {
   double commonShare = 0;  ///< displacement that both cover, relative to that which either covers
-  double above = 0;        ///< share of it where the first lies clearly above the second
+  double above =
+      0;  ///< share of the common displacement where the first stroke lies clearly above the second
   double below = 0;
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };

@@ -38,7 +38,7 @@ struct Patches {
 /// An unexplained line, of any colour and however pale, above or below the only traced curve.
 struct LineBeside {
   double share = 0;  ///< of the curve's travel, by columns with pixels
-  Point at_px;       ///< on it, view pixels
+  Point at_px;       ///< a point on the line, view pixels
 };
 
 /// Marks of a plot that a result does not explain, and places where the result has no support.

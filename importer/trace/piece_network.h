@@ -51,7 +51,7 @@ class PieceNetwork {
  private:
   struct Link {
     std::size_t piece = 0;
-    bool atEnd = false;  ///< which end of that piece is met
+    bool atEnd = false;  ///< true if the piece is met at its last point
     double gap = 0;      ///< share of the diagonal
   };
   struct Step {

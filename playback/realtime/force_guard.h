@@ -142,7 +142,7 @@ class ForceGuard {
   double moved_mm_ = 0;     ///< distance between the last two good readings
   bool resisting_ = false;  ///< the handle is where only the full force or the end of travel could hold it
   double resisted_mJ_ = 0;  ///< work against the force since then
-  double entered_mJ_ = 0;   ///< kinetic energy of the handle at that moment
+  double entered_mJ_ = 0;   ///< kinetic energy of the handle when the resistance began
   double fastest_mm_per_s_ = 0, beyond_s_ = 0, pinned_s_ = 0;
 };
 

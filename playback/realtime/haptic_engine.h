@@ -177,7 +177,7 @@ class HapticEngine {
   SpeedTracker tracker_;
   bool hasLastInput_ = false;
   bool heldByDisplacement_ = false;  ///< the last reading was a displacement
-  double held_mm_ = 0;               ///< position of that reading
+  double held_mm_ = 0;               ///< position of the last input
   double lastInput_frames_ = 0;
   std::int64_t lastScheduled_ = 0;
   std::int64_t nextBurstFrame_ = 0;

@@ -279,7 +279,7 @@ void identifyConstants(unsigned runs) {
 }
 
 void identifyKnots(unsigned runs, const char* name, PressedRecord presses) {
-  // Parabolas: eight knots can have them exactly.
+  // Parabolas, which eight knots represent exactly.
   presses.k = [](double x) { return 0.25 + 0.03 * (x - 2) * (x - 2); };
   presses.b = [](double x) { return 0.004 - 0.0005 * (x - 2) * (x - 2); };
   IdentifySettings settings;

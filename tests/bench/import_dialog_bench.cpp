@@ -288,7 +288,7 @@ QString tableOf(const Figures& f) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  detent::editor::giveLargeBlocksBack();  // as detent-edit does
+  detent::editor::giveLargeBlocksBack();  // memory setting of detent-edit
   QApplication app(argc, argv);
   const QStringList arguments = app.arguments();
   const auto valueOf = [&](const char* option) {

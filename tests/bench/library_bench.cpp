@@ -216,7 +216,7 @@ std::vector<Pair> compared(const std::vector<Pair>& pairs, const Method& method,
   return other;
 }
 
-/// To be compared with those of feel_distance.h.
+/// Prints fitted weights, for comparison with those of feel_distance.h.
 void sayFitted(const std::vector<Pair>& there, const std::vector<Pair>& back) {
   const std::vector<FeelWeights> every = candidates();
   const auto worth = [&](const FeelWeights& weights) {

@@ -32,7 +32,7 @@ playback::ForceProgram limitedProgram(const std::string& button) {
 struct Scene {
   std::string title;
   double at_s = 0;                          ///< time of the fault
-  std::vector<double> force_N;              ///< one a period
+  std::vector<double> force_N;              ///< one value per period
   std::function<double(double)> allowed_N;  ///< allowed force over the time since the fault
 };
 

@@ -205,7 +205,7 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder, 
   TerminalProgram program(command, folder.path());
   REQUIRE(program.shows("q ends", 10));
   REQUIRE(program.shows("sensor runs", 10));
-  sleepUntil(now_s() + 1);  // nobody presses yet: the noise is learnt
+  sleepUntil(now_s() + 1);  // the program learns the sensor's noise before the first press
   board.press(1.2, 0.15, 0.1);
   CHECK(program.shows("jumps 2 ", 5));
   program.type("q");

@@ -258,7 +258,7 @@ class FeelPanelTest : public QObject {
     QCOMPARE(rig.session.feltDocument(), &rig.a);
     QTest::mouseClick(rig.part<QToolButton>("feelB"), Qt::LeftButton);
     QCOMPARE(rig.session.feltDocument(), &rig.b);
-    rig.session.setDocument(FeelSide::b, nullptr);  // back to what is left
+    rig.session.setDocument(FeelSide::b, nullptr);  // A is pressed again, because B is gone
     QCOMPARE(rig.session.feltDocument(), &rig.a);
   }
 
@@ -270,7 +270,7 @@ class FeelPanelTest : public QObject {
     QTest::keyPress(rig.pad(), Qt::Key_Space);
     QTRY_VERIFY(rig.deepest() > 3.9);
     QTest::keyClick(rig.pad(), Qt::Key_X);
-    QVERIFY(rig.atRest());  // A's point is gone
+    QVERIFY(rig.atRest());  // the finger's point on A is not shown any more
     QTRY_VERIFY(!rig.otherFinger.empty() && rig.otherFinger.back() &&
                 rig.otherFinger.back()->displacement_mm > 3.9);
     QTest::keyRelease(rig.pad(), Qt::Key_Space);
@@ -333,7 +333,7 @@ class FeelPanelTest : public QObject {
     {
       ButtonDocument brief(tactileButton());
       rig.session.setDocument(FeelSide::a, &brief);
-      QTest::keyPress(rig.pad(), Qt::Key_Space);  // perhaps before the program is there
+      QTest::keyPress(rig.pad(), Qt::Key_Space);  // the program may not be computed yet
       QTest::qWait(60);
     }
     QCOMPARE(rig.session.feltDocument(), nullptr);
@@ -413,7 +413,7 @@ class FeelPanelTest : public QObject {
             rig.session.reference()->peak < 0.64);  // intensity 0.8, squared, falling
     QVERIFY(rig.part<QLabel>("referenceNote")->text().isEmpty());
 
-    // Undo is the button's alone.
+    // Undo concerns the button alone.
     QVERIFY(!rig.a.history().stack().canUndo());
     const Result<Button> louder = scaleForce(rig.a.button(), 1.5);
     QVERIFY(louder);

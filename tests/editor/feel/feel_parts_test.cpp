@@ -90,7 +90,7 @@ class FeelPartsTest : public QObject {
     QCOMPARE(second.program->program.states[0].end_mm, first.program->program.states[1].end_mm);
     QCOMPARE(second.program->program.states[1].end_mm, first.program->program.states[0].end_mm);
     QVERIFY(first.samples != second.samples);
-    request.firstState = 7;  // of a button that had more states
+    request.firstState = 7;  // state of a former button with more states
     QCOMPARE(pressSignalOf(request).firstState, std::size_t(0));
   }
 

@@ -20,7 +20,7 @@ const FrameCorners upright{{{100, 50}, {300, 50}, {300, 250}, {100, 250}}};
 
 TEST_CASE("A place on an axis has a share of it, whichever way the graph lies") {
   CHECK(*shareAlong(GraphAxis::x, upright, {150, 250}) == Approx(0.25));
-  CHECK(*shareAlong(GraphAxis::y, upright, {100, 100}) == Approx(0.75));  // up the page
+  CHECK(*shareAlong(GraphAxis::y, upright, {100, 100}) == Approx(0.75));  // the y axis counts upwards
   // On its side: the graph's top left is the page's top right.
   const FrameCorners turned{{{300, 50}, {300, 250}, {100, 250}, {100, 50}}};
   CHECK(*shareAlong(GraphAxis::x, turned, {100, 100}) == Approx(0.25));
@@ -212,7 +212,7 @@ TEST_CASE(
     CHECK(page.contains(taken[i]));
     for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(taken[i].intersects(taken[j]));
   }
-  std::vector<QRectF> full{{0, 0, 200, 150}};  // no room but at the lower edge
+  std::vector<QRectF> full{{0, 0, 200, 150}};  // only the lower edge has room
   freePlace({100, 140}, words, true, page, full);
   CHECK(full.back().top() >= 150);
 }

@@ -225,7 +225,7 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
   const double travel_mm = report(state).button.states().front().graph.travel_mm();
   QVERIFY(report(state).seconds.count(importer::ImportStep::trace));
   Corrections next = state.current()->history.now();
-  next.x.min = 0, next.x.max = 9;  // twice the truth
+  next.x.min = 0, next.x.max = 9;  // twice the true range
   state.apply(next, "Displacement range");
   QVERIFY(again(state));
   QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - 2 * travel_mm) <
@@ -660,7 +660,7 @@ void ImportDialogTest::ofSeveralSwitchesOneIsChosen() {
 
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  QVERIFY(dialog.banner->isVisible() && list->isVisible());  // another one can still be chosen
+  QVERIFY(dialog.banner->isVisible() && list->isVisible());  // another graph can still be chosen
   QVERIFY(dialog.banner->text().contains("2 switches"));
   QCOMPARE(list->currentRow(), 1);
   keepPicture(dialog, "switch-chosen");
@@ -864,7 +864,7 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   QTRY_VERIFY(dialog.view->height() < height);
   QVERIFY(QLineF(onDialog(), before).length() < 0.01);
   QTest::mouseRelease(dialog.view, Qt::LeftButton, {}, dialog.view->toWidget(page).toPoint());
-  QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // clicks go on
+  QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // the page stays while clicks go on
   QTest::keyClick(dialog.view, Qt::Key_Escape);
   QVERIFY(QLineF(onDialog(), before).length() > 1);  // the page fits its new room
 }
@@ -1080,7 +1080,7 @@ void ImportDialogTest::whatIsShownGivenAgainChangesNothing() {
 void ImportDialogTest::axisEndsAreTypedAlikeInEveryLanguage() {
   struct Typing {
     QString text;
-    std::optional<double> max_cN;  ///< none: refused, and as typed
+    std::optional<double> max_cN;  ///< none: the text is refused and stays as typed
   };
   const Typing typings[] = {{"120.5", 120.5},
                             {"120,5", 120.5},

@@ -296,7 +296,7 @@ class LibraryTest : public QObject {
       };
       QTRY_VERIFY2(apart() >= line_px, qPrintable(QString::number(apart())));
     }
-    dialog.resize(1600, 900);  // with room, whole names
+    dialog.resize(1600, 900);  // a wide window shows whole names
     QTRY_VERIFY(plot->plottable(0)->name() == "CPG151101D283_Polia_Switch_with_a_long_name");
   }
 
@@ -323,7 +323,7 @@ class LibraryTest : public QObject {
     auto* plot = panel.findChild<ComparePlot*>();
     const int curves = plot->plottableCount();
     panel.findChild<QToolButton*>("compareDifference")->click();
-    QCOMPARE(plot->plottableCount(), curves + 4);  // press and release of each other
+    QCOMPARE(plot->plottableCount(), curves + 4);  // press and release differences of both other buttons
     const auto* of = qobject_cast<QCPGraph*>(plot->plottable(curves + 2));
     QVERIFY(of && of->data()->size() > 100);
     for (const QCPGraphData& point : *of->data())  // c is twice a, so the difference is a's own force

@@ -166,7 +166,7 @@ void AnnotationsPanelTest::theOffsetOfferedIsThatOfTheStrokes() {
 // Undo in a field that holds nothing to take back is meant for the button.
 void AnnotationsPanelTest::undoInAnEmptyFieldIsTheButtons() {
   WorkspaceRig rig(require(tactileButton()));
-  rig.canvas().setSelected(tactile);  // where the note stands
+  rig.canvas().setSelected(tactile);  // displacement of the note
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
   const auto takes = [](QLineEdit& field, Qt::Key key) {
     QKeyEvent shortcut(QEvent::ShortcutOverride, key, Qt::ControlModifier);

@@ -155,7 +155,7 @@ void KeyFiguresPanelTest::whatIsKeptStays() {
 
 void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   WorkspaceRig rig(tactile());
-  QWidget window;  // with something that the keyboard could go to
+  QWidget window;  // a second field, to which the keyboard focus could move
   auto* column = new QVBoxLayout(&window);
   auto* held = new KeyFiguresPanel(rig.document, rig.settings);
   column->addWidget(held);

@@ -43,8 +43,8 @@ struct Finger {
   std::vector<std::size_t> pressed, context;
   // timing
   bool sensed = false;
-  bool stopped = false;  ///< of a force device
-  double ahead_s = 0;    ///< of the real clock
+  bool stopped = false;  ///< emergency stop of the force device
+  double ahead_s = 0;    ///< time by which this clock is ahead of the real one
   std::vector<playback::ContactClosing> closings;
   std::vector<double> beats_s;
 
@@ -423,7 +423,7 @@ class StudyTest : public QObject {
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
     buttonIn(window, "studyStop")->click();
-    QTest::keyClick(window, Qt::Key_1);  // no question is shown: nothing is felt
+    QTest::keyClick(window, Qt::Key_1);  // no question is shown, so no key presses a button
     QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
     buttonIn(window, "studyGoOn")->click();
     QVERIFY(window->findChild<QLabel*>("studyHint")->isVisible());
@@ -689,7 +689,7 @@ class StudyTest : public QObject {
         }
         if (scale == 1) {
           QTest::keyClick(window, Qt::Key_Space);
-          QTest::keyClick(window, Qt::Key_Return);  // no number yet
+          QTest::keyClick(window, Qt::Key_Return);  // Enter without a typed number does nothing
           QVERIFY(window->findChild<QLabel*>("studyTrouble")->isVisible());
           for (const Qt::Key key :
                {Qt::Key_7, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Comma, Qt::Key_5, Qt::Key_Enter})
@@ -774,13 +774,13 @@ class StudyTest : public QObject {
     QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
     const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
-    rig.finger->ahead_s += 30;  // nobody is hurried
+    rig.finger->ahead_s += 30;  // a trial has no time limit
     QTest::qWait(50);
     QVERIFY(rig.record().answers.empty() && picture->view().left_s == 3);
     for (int i = 0; i < 12; ++i) {
       QTest::keyClick(window, Qt::Key_Space);
       QKeyEvent held(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, " ",
-                     true);  // one that repeats is no press
+                     true);  // key repetition is no press
       QApplication::sendEvent(window, &held);
       rig.finger->ahead_s += 0.2;
     }
@@ -888,7 +888,7 @@ class StudyTest : public QObject {
       else
         rig.makeStudy();
       rig.dialog->findChild<QCheckBox*>("studyForce")->setChecked(true);
-      QVERIFY(rig.begin() == nullptr);  // none is chosen
+      QVERIFY(rig.begin() == nullptr);  // no force device is chosen
       QVERIFY(!rig.trouble().isEmpty());
       rig.force = *playback::forceDeviceFrom("sim:rig");
       rig.finger->sensed = true;
@@ -937,7 +937,7 @@ class StudyTest : public QObject {
     QCOMPARE(study->design.intervals_s, std::vector<double>{0.7});
     QCOMPARE(study->design.trials, std::size_t{60});
     rig.dialog->showStudy(rig.study);
-    rig.answersBy(3);  // without an error: no such thing in timing
+    rig.answersBy(3);  // no share of errors, because timing studies have no wrong answer
     QVERIFY(rig.begin() == nullptr);
     QVERIFY2(rig.trouble().startsWith("Answers by: ") && rig.records().empty(), qPrintable(rig.trouble()));
     QVERIFY(!rig.trouble().contains("errors=P"));

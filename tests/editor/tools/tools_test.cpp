@@ -222,7 +222,7 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   QVERIFY(rig.canvas().feedback().refused.has_value());
   QVERIFY(rig.canvas().feedback().refused->why.contains("outside its flanks"));
   QVERIFY(said.last().at(0).toString().contains("outside its flanks"));
-  rig.move(from + QPointF(14, -14));  // back where it may be
+  rig.move(from + QPointF(14, -14));  // back to an allowed place
   QVERIFY(!rig.canvas().feedback().refused.has_value());
   QVERIFY(said.last().at(0).toString().contains("Esc"));  // the hint of the drag
   rig.release(from + QPointF(14, -14));

@@ -41,7 +41,7 @@ namespace {
 
 struct TypedUnit {
   const char* word;
-  double size;  ///< in mm, N, N/mm, N·s/mm; else 1
+  double size;  ///< mm, N, N/mm or N·s/mm in one unit; otherwise 1
 };
 
 std::vector<TypedUnit> unitsOf(Quantity quantity) {

@@ -102,7 +102,8 @@ void collectCutChoices(const QComboBox& box, QStringList& cut) {
 void collectCutHeadings(const QHeaderView& header, QStringList& cut) {
   if (!header.isVisible() || header.orientation() != Qt::Horizontal) return;
   const QString table = header.parentWidget()->objectName();
-  const bool shortens = dynamic_cast<const ShorteningHeader*>(&header);  // and has the whole as a tool tip
+  const bool shortens =
+      dynamic_cast<const ShorteningHeader*>(&header);  // shortened headings have the whole text as a tool tip
   for (int i = 0; i < header.count() && !shortens; ++i)
     if (header.sectionSizeHint(i) > header.sectionSize(i) + 1 && !header.isSectionHidden(i))
       cut << QString("%1: heading \"%2\"")
@@ -445,7 +446,7 @@ class WindowTest : public QObject {
     rig.prompts.unsavedAnswers = {SaveChoice::cancel, SaveChoice::save, SaveChoice::discard};
     rig.action("close")->trigger();
     QVERIFY(rig.window->tabs().current());
-    rig.prompts.saveAnswers = {QString()};  // and then no name
+    rig.prompts.saveAnswers = {QString()};  // the prompt for the file name is cancelled
     rig.action("close")->trigger();
     QVERIFY(rig.window->tabs().current());
     rig.action("close")->trigger();
@@ -858,7 +859,7 @@ class WindowTest : public QObject {
     QCOMPARE(contents(path), otherCopy);
     QVERIFY(rig.notices().join(' ').contains("changed"));
     QVERIFY(rig.document().history().modified());
-    // Save as leaves theirs alone.
+    // Save as leaves the file of the other program unchanged.
     rig.prompts.saveAnswers.push_back(at("mine.button.json"));
     rig.press("saveAs");
     QCOMPARE(contents(path), otherCopy);
@@ -1547,7 +1548,8 @@ class WindowTest : public QObject {
     QVERIFY(plot);
     QCOMPARE(plot->plottable(0)->pen().color(), colors.press);
     for (int i = 0; i < plot->plottableCount(); ++i)
-      QVERIFY(plot->plottable(i)->pen().color() != colors.release);  // that colour means a stroke
+      QVERIFY(plot->plottable(i)->pen().color() !=
+              colors.release);  // the release's colour means a stroke, so no plot may have it
   }
 
   // The desktop turns dark and light again while the editor runs: every open window follows, and what it says

@@ -224,5 +224,5 @@ TEST_CASE("lines rounded to whole pixels: closer than least squares") {
 TEST_CASE("lines that are not rounded are left to least squares") {
   CHECK_FALSE(throughRoundedLines({{10.2, 0}, {20.5, 1}, {30.8, 2}}));
   CHECK_FALSE(throughRoundedLines({{10, 0}, {20, 1}}));
-  CHECK_FALSE(throughRoundedLines({{10, 0}, {20, 1}, {40, 2}}));  // no even spacing rounds to these
+  CHECK_FALSE(throughRoundedLines({{10, 0}, {20, 1}, {40, 2}}));  // no even spacing rounds to these values
 }

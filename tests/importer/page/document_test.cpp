@@ -756,11 +756,12 @@ TEST_CASE("drawing a page ends when it is cancelled, within half a second") {
   const auto start = Clock::now();
   std::optional<Clock::time_point> stopped;
   Progress progress;
-  progress.cancelled = [&] {  // interpreting takes less
-    if (secondsSince(start) < 2) return false;
-    if (!stopped) stopped = Clock::now();
-    return true;
-  };
+  progress.cancelled =
+      [&] {  // cancels after 2 s, when the page is being drawn, because interpreting takes less
+        if (secondsSince(start) < 2) return false;
+        if (!stopped) stopped = Clock::now();
+        return true;
+      };
   const auto page = document->page(1, progress);
   REQUIRE(stopped);
   CHECK(secondsSince(*stopped) < 0.5);

@@ -16,7 +16,7 @@ using namespace detent::playback;
 using detent::test::anyFalconFirmware;
 using detent::test::FalconRig;
 
-constexpr double period_s = 0.2;  // a loaded machine answers within half of it
+constexpr double period_s = 0.2;  // a loaded machine answers within half of this
 
 FalconSettings settingsWith(std::vector<std::uint8_t> firmware) {
   FalconSettings settings;

@@ -80,7 +80,7 @@ TEST_CASE(
     });
     INFO(device.name);
     CHECK(states.size() >= 4);
-    CHECK(states.size() <= 9);  // one change a press
+    CHECK(states.size() <= 9);  // one change of state per press
     CHECK(latched_mm == Approx(22.9).margin(0.3));
   }
 }

@@ -55,7 +55,7 @@ class Watched {
     return force_N;
   }
   double at(double position_mm, bool fresh = true) { return step({position_mm, {}, fresh}); }
-  /// Rests somewhere until the whole force is there.
+  /// Holds the handle at a position until the full force acts; returns that force.
   double restAt(double position_mm) {
     double force_N = 0;
     for (int i = 0; i * prepared_.program.period_s < 0.3; ++i) force_N = at(position_mm);

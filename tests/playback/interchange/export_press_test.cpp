@@ -143,7 +143,7 @@ TEST_CASE("A press too faint for a format is refused by its name, never written 
     const bool exact = format.value == ExportFormat::package || format.value == ExportFormat::cHeader ||
                        format.value == ExportFormat::ahap || format.value == ExportFormat::haptic ||
                        format.value == ExportFormat::openxr ||
-                       format.value == ExportFormat::hjif;    // any number is one of theirs
+                       format.value == ExportFormat::hjif;    // formats that can state any number
     const bool pad = format.value == ExportFormat::touchpad;  // formats that play their own waves
     CHECK(written.ok() == (exact || pad));
     if (written) continue;

@@ -216,8 +216,8 @@ namespace {
 struct Exchanged {
   double largest_N = 0, gone_s = -1,
          risen_s = -1;    ///< times at which the force was gone and was back, from the exchange on
-  double overRamp_N = 0;  ///< above the ramp since it began to rise
-  double worst_N = 1e9;   ///< table against the other button's, either stroke
+  double overRamp_N = 0;  ///< largest force above the ramp while the force rises
+  double worst_N = 1e9;   ///< largest difference between the table and the other button, both strokes
   int rowsSent = 0;       ///< rows sent, including lost ones
   std::string refused{};
 };

@@ -17,7 +17,7 @@ struct OdriveEmulatorSettings {
   PtySettings pty;
   double mmPerTurn = 60;
   double restTurns = 0.37;        ///< encoder turns at the handle's 0
-  unsigned errorAtStart = 0;      ///< of the axis, 0x200: controller failed
+  unsigned errorAtStart = 0;      ///< error of the axis at the start; 0x200: controller failed
   double errorAt_s = -1;          ///< an encoder fails (0x100) so long after the first line; < 0: never
   double velocityLimit = 1e9;     ///< turns/s; the firmware's default is 2
   double largestTorque_Nm = 0.2;  ///< limit of motor and supply

@@ -19,7 +19,7 @@ struct PtySettings {
   FingerSettings finger;
   Plan plan = [](double) { return Intent{}; };
   double start_mm = 0;
-  double replyDelay_s = 0;    ///< from a line to its answer
+  double replyDelay_s = 0;    ///< delay from a line to its answer
   double replyJitter_s = 0;   ///< random addition, 0 to this
   double brokenAnswers = 0;   ///< share of answers whose bytes are damaged
   double resetAt_s = -1;      ///< time in the scene; < 0: never
@@ -51,7 +51,7 @@ class PtyDevice {
   /// Ends the device's thread; what it has recorded may be read from then on.
   void halt();
   const std::vector<PtyMoment>& moments() const { return moments_; }
-  /// Lines as they came, without their ends.
+  /// Received lines, without their ends.
   const std::vector<std::string>& heard() const { return heard_; }
   double largestMotor_N() const;
 
@@ -65,7 +65,7 @@ class PtyDevice {
 
   /// Sends a line, with its end, after the reply delay; a share of them is damaged on the way.
   void answer(std::string line);
-  /// For a scene that waits; once.
+  /// Starts a scene that waits; call once.
   void beginScene();
   double now_s() const { return now_s_; }  ///< since the device was made
   double scene_s() const { return firstLine_s_ < 0 ? -1 : now_s_ - firstLine_s_ - sceneFrom_s_; }

@@ -46,7 +46,7 @@ class DrivenEngine {
     reading.fresh = false;
     return step(reading);
   }
-  /// At one place until the force has risen.
+  /// Holds the handle at one place until the force has risen; returns the force.
   double restAt(double position_mm, int steps = 400) {
     double force_N = 0;
     for (int k = 0; k < steps; ++k) force_N = step(position_mm);

@@ -40,7 +40,7 @@ SessionCommand forceAt(TimeBase base, double time, double force_N) {
   return {CommandKind::force, base, time, force_N, {}, nullptr};
 }
 
-/// Everything a session has to say.
+/// Everything that a session reports.
 struct Heard {
   std::vector<EngineEvent> events;
   std::vector<const HapticProgram*> retired;

@@ -364,7 +364,7 @@ TEST_CASE("confusion: a millinewton more moves d' by at most 0.02") {
       CHECK(std::fabs(dPrime - before) <= 0.02);
       before = dPrime;
     }
-    CHECK(before > 0.03);  // yet they differ
+    CHECK(before > 0.03);  // the two buttons differ
   }
 }
 

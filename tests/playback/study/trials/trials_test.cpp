@@ -279,7 +279,8 @@ TEST_CASE("unfinished: who did not answer all trials is left out, and both resul
   CHECK_THAT(resultsText(left), Catch::Contains("With those who did not finish"));
   CHECK_THAT(resultsPage(left, {}), Catch::Contains("With those who did not finish"));
   CHECK_THAT(resultsCsv(left), Catch::Contains(",0,\n") && Catch::EndsWith(",1,\n"));
-  CHECK_FALSE(writeUnfinishedRule(*made.study, Unfinished::counted));  // people have begun
+  CHECK_FALSE(
+      writeUnfinishedRule(*made.study, Unfinished::counted));  // refused, because participants have begun
 }
 
 TEST_CASE("merge: laboratories become one study, and P01 of two are two people") {
@@ -581,7 +582,8 @@ TEST_CASE("session: a person's answer to what was not felt is not kept; what was
     REQUIRE(session);
     Answer answer = simulatedAnswer(*made.study, "P01", *session->trial(), {});
     for (Felt* felt : {&answer.felt[0], &answer.felt[1], &answer.feltX}) {
-      const Felt kept = std::exchange(*felt, {1, 0, 1.2, 0.4});  // begun, not pressed through
+      const Felt kept =
+          std::exchange(*felt, {1, 0, 1.2, 0.4});  // a press that began but did not reach the bottom
       CHECK_FALSE(session->record(answer));
       *felt = kept;
     }
@@ -796,7 +798,7 @@ TEST_CASE("results: eight people all better in one mode: p is exact, and Holm co
   CHECK(all.p == Approx(2.0 / 256));  // 0.0078
   CHECK(all.adjusted == all.p);
   REQUIRE(all.interval);
-  CHECK(all.interval->low * all.interval->high > 0);  // zero is outside
+  CHECK(all.interval->low * all.interval->high > 0);  // zero is outside the interval
   for (std::size_t i = 1; i < 4; ++i) {
     CHECK(results.comparisons[i].pair == i - 1);
     CHECK(results.comparisons[i].adjusted >= results.comparisons[i].p);
@@ -981,7 +983,7 @@ std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor
         if (sensor == Sensor::zeros) force_N = 0.02 * drawShare(random);
         if (sensor == Sensor::stuck) force_N = stuck_N;
         if (sensor == Sensor::light) force_N = 0.2 * strongest_N * share;
-        if (sensor == Sensor::lost && i > 120) break;  // on the way up
+        if (sensor == Sensor::lost && i > 120) break;  // the sensor is lost on the way up
         tracker.updateForce(force_N);
         counter.take(tracker.position());
       }
