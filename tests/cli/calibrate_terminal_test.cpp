@@ -96,7 +96,7 @@ TEST_CASE("calibrate: a reading that still moves is waited for") {
   CHECK(screen.find("warning") == std::string::npos);
 }
 
-TEST_CASE("calibrate: a reading that never rests and one that is noisy are told") {
+TEST_CASE("calibrate: a reading that never rests and one that is noisy are reported") {
   const std::string creeping = weighed([](double t) { return 200 + 20 * t; });
   INFO(creeping);
   CHECK(creeping.find("still drifts") != std::string::npos);

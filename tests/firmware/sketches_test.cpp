@@ -131,7 +131,7 @@ TEST_CASE("fsr400: a thousand readings a second with checksums, through the wrap
   }
 }
 
-TEST_CASE("fsr400: says who it is when asked, and nothing else moves it") {
+TEST_CASE("fsr400: answers a request for its name, and ignores everything else") {
   struct Row {
     const char* sent;
     int greetings;

@@ -126,7 +126,7 @@ TEST_CASE(
   CHECK_FALSE(atSpeed(family, std::nan("")).ok());
 }
 
-TEST_CASE("curves that end apart are mixed with the nearer end's force, walls included") {
+TEST_CASE("curves that end apart are mixed with the nearer end's force, bottom-outs included") {
   ButtonState state{
       "",
       *ForceGraph::fromCurves(*StrokeCurve::fromKnots({{0, 0, 0, 1}, {4, 4, 1, 0}, {4, 9, 0, 0}}), {}),
@@ -178,7 +178,7 @@ TEST_CASE("scaling a button scales its graphs at all speeds") {
   }
 }
 
-TEST_CASE("a release above the press of another speed is told, with both speeds") {
+TEST_CASE("a release above the press of another speed is reported, with both speeds") {
   ButtonState state = stateWith({20, 100});
   const auto described = [&] {
     std::vector<std::string> sentences;

@@ -223,7 +223,8 @@ TEST_CASE("how far a search goes is the same on every machine") {
 }
 
 // D's bottom-out is found elsewhere before its travel is so short; the figure jumps, and no step leads on.
-TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere") {
+TEST_CASE(
+    "a start of the bottom-out that would jump is reported as a bottom-out that would begin elsewhere") {
   const Sample sample = samples()[3];
   REQUIRE(sample.name == "D");
   const TargetOutcome outcome = bentToTargets(sample.button, 0, {{KeyFigure::bottomOutTravel, 2.9133868}});

@@ -146,7 +146,7 @@ TEST_CASE("What the importer says is put in the words of someone before the page
   CHECK(doubt.remedies.size() == 3);
 }
 
-TEST_CASE("Findings are told in the units shown and in the person's number style") {
+TEST_CASE("Findings are worded in the units shown and in the person's number style") {
   const importer::Remark preload{importer::RemarkCode::preloadTakenOff, {newtons(0.5)}};
   const QString inGrams = inWords(preload, {LengthUnit::inch, ForceUnit::gramForce});
   INFO(inGrams.toStdString());

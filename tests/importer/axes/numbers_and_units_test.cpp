@@ -230,7 +230,9 @@ TEST_CASE("a word with one letter misread is still that word") {
   CHECK(lengthUnitIn("Positon (nm)")->unit == LengthUnit::millimetre);
 }
 
-TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrillic letters that look Latin") {
+TEST_CASE(
+    "a unit is read behind any words, a comma and an arrow, and in Cyrillic letters that resemble Latin "
+    "ones") {
   const auto force = [](const char* title) {
     const auto unit = forceUnitIn(title);
     return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
@@ -273,7 +275,7 @@ std::vector<std::vector<NumberReading>> readTogether(const std::vector<std::stri
 
 }  // namespace
 
-TEST_CASE("words of strokes in Cyrillic are known by the Latin letters they look like, one of them wrong") {
+TEST_CASE("words of strokes in Cyrillic are known by the Latin letters they resemble, one of them wrong") {
   CHECK(withCyrillicWords("HaxaTue") == "Нажатие");
   CHECK(withCyrillicWords("Bo3Bpat, 2") == "Возврат, 2");
   CHECK(withCyrillicWords("OtnyckaHMe") == "Отпускание");
@@ -335,7 +337,7 @@ TEST_CASE("a power of ten at the end of an axis") {
   }
 }
 
-TEST_CASE("lines that stand as logarithms do tell a logarithmic scale, whatever its numbers look like") {
+TEST_CASE("lines at logarithmic distances show a logarithmic scale, whatever the numbers are read as") {
   const auto lines = [](double top_px, double decade_px, int digits, bool logarithmic, bool upwards) {
     std::vector<GridLine> found;
     for (int decade = 0; decade < 2; ++decade)

@@ -173,7 +173,7 @@ TEST_CASE("a label that contradicts the grid is left out, and said") {
   CHECK(axes.calibration.confidence < 1);
 }
 
-TEST_CASE("a number that looks like what its even row says contradicts it where it was read for certain") {
+TEST_CASE("a number similar to the value of its even row contradicts it where it was read for certain") {
   PlotStyle s;
   auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s), writeLeft(looked.view, s);
@@ -375,7 +375,7 @@ TEST_CASE("a force axis that stands at the right alone is read there") {
   SECTION("in a box") {}
   SECTION("gridlines alone") { s.box = false; }
   SECTION("its title left where it was") { s.titleAtLeft = true; }
-  SECTION("its title left where it was, whose letters look like numbers") {
+  SECTION("its title left where it was, whose letters resemble numbers") {
     s.titleAtLeft = true, s.yTitle = "oooooo [cN]";
   }
   const auto axes = read(drawn(s));
@@ -813,7 +813,7 @@ TEST_CASE("names of two signs that were read with their samples are read without
     CHECK(std::ranges::none_of(*texts, [](const SeenText& t) { return t.utf8.starts_with("-O-"); }));
 }
 
-TEST_CASE("a legend's row is parted at filled squares of another ink") {
+TEST_CASE("a legend's row is parted at filled squares of another colour") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.height = 640;
@@ -827,7 +827,7 @@ TEST_CASE("a legend's row is parted at filled squares of another ink") {
     CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
 }
 
-TEST_CASE("names of two letters are read beside a legend's sample alone") {
+TEST_CASE("names of two letters are read beside a legend key alone") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.width = 1100;
@@ -953,7 +953,7 @@ TEST_CASE("titles at the ends of the axes are read inside the plot, callouts are
   CHECK((cal.y.unitFound && cal.y.unit == "cN") == titles);
 }
 
-TEST_CASE("names of axes that end beyond the plot's foot or run through its top are read") {
+TEST_CASE("names of axes that end below the plot or run through its top are read") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.right = 700;
@@ -975,7 +975,8 @@ TEST_CASE("names of axes that end beyond the plot's foot or run through its top 
   }
 }
 
-TEST_CASE("a small unit in brackets is told by its shape behind letters that the engine does not know") {
+TEST_CASE(
+    "a small unit in brackets is recognised by its shape behind letters that the engine does not know") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.yTitle = "";

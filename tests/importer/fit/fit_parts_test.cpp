@@ -244,7 +244,7 @@ TEST_CASE("a tactile point of the right curve is not far from what the points ar
   }
 }
 
-TEST_CASE("a tactile point that the curve's few pieces put beside the points' own is told by how much") {
+TEST_CASE("a tactile point that the curve's few pieces displace is reported with its distance") {
   for (const double sign : {1.0, -1.0}) {
     const std::vector<SigmaPoint> points = pointsOf(extremum(sign), 0.3, 400);
     const KnotChain off = extremum(sign, 8);

@@ -414,7 +414,7 @@ TEST_CASE("a bump where a linear switch is first touched is no tactile point; na
     CHECK(each.entry.figures[KeyFigure::peakForce].has_value() == (each.entry.name != "Jelly Black"));
 }
 
-TEST_CASE("a tester whose forces lie well off others' is told with each switch") {
+TEST_CASE("a tester whose forces lie well off others' is named with each switch") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
   std::string x, down, up;
@@ -488,7 +488,7 @@ TEST_CASE(
   for (const char* const none : {"± 0.0<", "± 0.00<"}) CHECK(page.find(none) == std::string::npos);
 }
 
-TEST_CASE("figures that no switch has: the nearest is told, and bent it has them") {
+TEST_CASE("figures that no switch has: the nearest is reported, and bent it has them") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
   folder.write("s/weak.csv", tidyCsv(30, 25));

@@ -214,7 +214,7 @@ TEST_CASE("a line above a table is its title, with however many delimiters behin
   }
 }
 
-TEST_CASE("strokes in columns of their own are told by their names") {
+TEST_CASE("strokes in columns of their own are recognised by their names") {
   const auto beside = [](const char* header, const char* form, bool swapped) {
     std::string text = header;
     constexpr int steps = 160;

@@ -191,7 +191,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "what is left over in the ink of a curve that was set aside is that curve's, and a black mark nobody's") {
+    "pixels left over in the colour of a curve that was set aside are that curve's, and a black mark "
+    "nobody's") {
   Import import;
   Raster& picture = import.graph.view.raster;
   picture.rgb.assign(3UL * 700 * 600, 255);
@@ -232,7 +233,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a switch chosen among others whose own ink runs on beside its press has a release that was not "
+    "a switch chosen among others whose own colour runs on beside its press has a release that was not "
     "followed") {
   Import import;
   Raster& picture = import.graph.view.raster;
@@ -275,7 +276,7 @@ TEST_CASE("a colour given for the curve that the legend calls the other stroke i
   CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLegend));
 }
 
-TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that no ink does") {
+TEST_CASE("pixels of a curve's colour that nothing explains are doubted, and a curve without pixels") {
   Import import;
   Remainder left;
   left.box_px = {200, 200, 300, 300}, left.likeness = 0.3;
@@ -612,7 +613,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(leaves.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
 }
 
-TEST_CASE("a wall on the frame's side, in the frame's ink, does not leave the plot below its top") {
+TEST_CASE("a bottom-out on the frame's side, in the frame's colour, does not leave the plot below its top") {
   Import withBottomOut;
   withBottomOut.press.clear();
   for (int i = 0; i <= 400; ++i) withBottomOut.press.push_back({0.01 * i, 0.2 + 0.002 * i});
@@ -720,7 +721,7 @@ void give(RemedyKind kind, ImportHints& hints) {
 
 }  // namespace
 
-TEST_CASE("what was given by hand is not asked for again, and something is always left to try") {
+TEST_CASE("what was given by hand is not requested again, and something is always left to try") {
   Import pulls;
   pulls.press = {{-1, -0.5}, {1, -0.7}, {1.5, -0.5}, {3, 0.1}};
   pulls.release = {{3, 0.1}, {2, 0.9}, {-1, -0.5}};

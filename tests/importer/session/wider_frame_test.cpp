@@ -40,7 +40,7 @@ struct Plot {
 
 }  // namespace
 
-TEST_CASE("a frame is widened to where its curve's ink ends, and the scale goes on") {
+TEST_CASE("a frame is widened to where its curve's pixels end, and the scale goes on") {
   const Plot plot(530);
   const auto wider = widenedToItsCurves(plot.graph, plot.curves);
   REQUIRE(wider);
@@ -96,7 +96,7 @@ TEST_CASE("a frame stays where no curve leaves it") {
   CHECK_FALSE(Plot(502).isWidened());  // a line's own end
 }
 
-TEST_CASE("a frame stays where the ink does not end near it") {
+TEST_CASE("a frame stays where the pixels do not end near it") {
   CHECK_FALSE(Plot(620).isWidened());  // more than a fifth of its width
   Plot atEdge(530);
   atEdge.graph.view.raster.width_px = 530;  // the picture is cut through the curve
@@ -113,7 +113,7 @@ TEST_CASE("a frame stays where its scale is contradicted or it leans") {
   CHECK_FALSE(leaning.isWidened());
 }
 
-TEST_CASE("a wall that begins just beyond the frame takes it along") {
+TEST_CASE("a bottom-out that begins just beyond the frame extends it") {
   Plot plot(504);
   Raster& picture = plot.graph.view.raster;
   const int lowEdge = static_cast<int>(std::lround(Plot::row(504)));

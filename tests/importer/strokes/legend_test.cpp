@@ -132,7 +132,7 @@ TEST_CASE("A release and nothing else", "[legend]") {
     CHECK_FALSE(namesNothingButRelease(text));
 }
 
-TEST_CASE("A letter that looks like another is forgiven, one that does not proves nothing", "[legend]") {
+TEST_CASE("A letter that resembles another is forgiven, one that does not proves nothing", "[legend]") {
   CHECK(strokeNamedBy("downstr0ke") == std::nullopt);  // a digit splits the word
   CHECK(strokeNamedBy("downstrake") == Stroke::press);
   CHECK(strokeNamedBy("dwnstroke") == std::nullopt);

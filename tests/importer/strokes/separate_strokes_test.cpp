@@ -210,8 +210,10 @@ TEST_CASE("On the level floor of a dome's valley noise does not say where the dr
   CHECK(found->confidence > 0.9);
 }
 
-TEST_CASE("A stroke whose wall lies under the other's goes up it; one that ends across the other does not",
-          "[strokes]") {
+TEST_CASE(
+    "A stroke whose bottom-out lies under the other's is extended up it; one that ends across the other is "
+    "not",
+    "[strokes]") {
   CurveTrace press = traced(0.1, {255, 0, 0}), release = traced(-0.05, {0, 0, 255});
   for (CurveTrace* stroke : {&press, &release}) stroke->width_px.assign(stroke->points_px.size(), 4);
   const auto whole_N = separate({press, release})->value.release->points.front().force_N;
@@ -230,7 +232,7 @@ TEST_CASE("A stroke whose wall lies under the other's goes up it; one that ends 
   CHECK(separate({press, across})->value.release->points.front().force_N < whole_N - 0.3);
 }
 
-TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
+TEST_CASE("Identical curves cannot be distinguished", "[strokes]") {
   const auto found = separate({traced(0.05), traced(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().code == FailureCode::notCertain);
@@ -369,7 +371,7 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
   CHECK(separate({samples[0], release})->confidence > 0.9);
 }
 
-TEST_CASE("Two walls that end at different heights beside each other are two presses'", "[strokes]") {
+TEST_CASE("Two bottom-outs that end at different heights beside each other are two presses'", "[strokes]") {
   const auto through = [](const Polyline& points, Rgb colour) {
     CurveTrace t;
     t.points_px = densified(points, 1);
@@ -388,7 +390,7 @@ TEST_CASE("Two walls that end at different heights beside each other are two pre
   CHECK(separate(bothStrokes)->confidence > 0.9);
 }
 
-TEST_CASE("A switch whose ink the legend names twice has two strokes", "[strokes]") {
+TEST_CASE("A switch whose colour the legend names twice has two strokes", "[strokes]") {
   std::vector<CurveTrace> traces{traced(0.1, {255, 0, 0}), traced(-0.05, {0, 0, 255})};
   traces[0].label = "Heron", traces[1].label = "Kite";
   StrokeHints hints;

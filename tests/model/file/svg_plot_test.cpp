@@ -71,7 +71,7 @@ TEST_CASE("a plot speaks the reader's language and stands in millimetres") {
   CHECK_THAT(svg, !Catch::Contains("#0072b2") && !Catch::Contains(">0.5<"));
 }
 
-TEST_CASE("a band of tolerance is as wide as asked for, and named") {
+TEST_CASE("a band of tolerance is as wide as requested, and named") {
   SvgPlotStyle style;
   style.forceUnit = ForceUnit::centinewton;
   style.yEnds = AxisEnds{0, 200};

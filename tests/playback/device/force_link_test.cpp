@@ -223,7 +223,7 @@ TEST_CASE("serial force device: late, repeated, broken and half answers are no r
   CHECK(device->counts().repeated >= 1);
 }
 
-TEST_CASE("serial force device: nobody there, a wrong port and a table that does not fit are told") {
+TEST_CASE("serial force device: nobody there, a wrong port and a table that does not fit are reported") {
   CHECK_FALSE(SerialForceDevice::open("/dev/null", 230400, 0.001, benchLimits()));
   CHECK_FALSE(SerialForceDevice::open("/nowhere", 230400, 0.001, benchLimits()));
   FakeDevice silent([](const std::string&) { return std::string(); });
@@ -750,7 +750,7 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
   CHECK(odrive.torque_Nm == 0);
 }
 
-TEST_CASE("ODrive: an axis that does not arm is told with its error, in both spellings") {
+TEST_CASE("ODrive: an axis that does not arm is reported with its error, in both spellings") {
   for (const bool newNames : {false, true}) {
     FakeOdrive odrive;
     odrive.newNames = newNames;

@@ -329,7 +329,7 @@ TEST_CASE(
   CHECK(jumps_mm.front() == Approx(1).margin(0.03));
 }
 
-TEST_CASE("live: rain comes from the second output alone, at the level asked for") {
+TEST_CASE("live: rain comes from the second output alone, at the requested level") {
   JackServer server(256);
   if (skipped(server, "masking noise")) return;
   const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));

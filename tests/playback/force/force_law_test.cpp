@@ -241,7 +241,7 @@ TEST_CASE("spring button: k(x) and b(x) as polynomials are the paper's equation"
   }
 }
 
-TEST_CASE("prepare force: walls of 1e5 N and of 0.1 um are rendered within the device's limits") {
+TEST_CASE("prepare force: bottom-outs of 1e5 N and of 0.1 um are rendered within the device's limits") {
   for (const ForceDeviceProfile& device : presets()) {
     for (const double bottomOut_mm : {1e-4, 0.01}) {
       const auto curve =

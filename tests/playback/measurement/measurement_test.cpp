@@ -226,7 +226,7 @@ TEST_CASE("calibrate: truth within the error bars, degree only as high as suppor
   CHECK(c->residual_N < 1e-6);
 }
 
-TEST_CASE("calibrate: three or four readings are told to be too few, whatever they say") {
+TEST_CASE("calibrate: three or four readings are reported as too few, whatever they say") {
   for (std::size_t count : {3U, 4U}) {
     std::vector<KnownWeight> weights;
     for (std::size_t i = 0; i < count; ++i)

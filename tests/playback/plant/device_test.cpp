@@ -364,7 +364,7 @@ Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
 
 }  // namespace
 
-TEST_CASE("what takes an uploaded table away is told, and arming brings its force back, on a slow link too",
+TEST_CASE("the loss of an uploaded table is reported, and arming brings its force back, on a slow link too",
           "[upload]") {
   using playback::ForceHalt;
   SerialEmulatorSettings reset, away, stopped;
@@ -469,7 +469,7 @@ TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
   CHECK(run.largest_N <= 3.01);  // torques have six digits
 }
 
-TEST_CASE("an ODrive is told the largest force", "[odrive]") {
+TEST_CASE("an ODrive receives the largest force", "[odrive]") {
   const OdriveRun run = odrive(odriveWithFinger(), "1");
   INFO(run.ran.said);
   CHECK(run.armed);

@@ -208,7 +208,7 @@ TEST_CASE("a press gives a finger no more than it took, with delay and motor lag
   }
 }
 
-TEST_CASE("a press that gave a finger more than it took is told", "[energy]") {
+TEST_CASE("a press that gave a finger more than it took is reported", "[energy]") {
   for (const PressEnergy& press : pressEnergies()) {
     INFO(press.what << ": the finger was given " << -press.finger_mJ << " mJ");
     if (press.finger_mJ < -0.05) CHECK(press.claimed_mJ < 0.5 * press.finger_mJ);

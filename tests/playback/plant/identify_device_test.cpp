@@ -246,7 +246,7 @@ TEST_CASE("a loop that wakes late now and then does not stretch its time, nor th
   }
 }
 
-TEST_CASE("what is left tells that something else acts on the handle", "[identify]") {
+TEST_CASE("the residual shows that something else acts on the handle", "[identify]") {
   Chance chance(18);
   const KnownDevice d = knownDevice(chance);
   Shaken shaken(d);

@@ -120,7 +120,7 @@ TEST_CASE("damping sets the last speed, lag the first force, saturation the larg
   CHECK(world.velocity_mm_per_s() == Approx(100).epsilon(1e-6));
 }
 
-TEST_CASE("messages arrive in order, late by what was asked, and as often lost as was asked", "[plant]") {
+TEST_CASE("messages arrive in order, late as requested, and as often lost as requested", "[plant]") {
   Transport<int> line({0.002, 0, 0}, 3);
   line.send(0, 7);
   CHECK_FALSE(line.newest(0.0019));

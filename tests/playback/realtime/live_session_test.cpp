@@ -278,7 +278,7 @@ TEST_CASE("session: what a finger went through unheard is not played afterwards"
   DisplacedFinger finger;
   finger.at(0.2);
   const std::uint64_t grains = finger.grains();
-  SECTION("a reading that waited too long tells the place only") {
+  SECTION("a reading that waited too long gives the position only") {
     finger.send({CommandKind::displacement, TimeBase::clock, finger.time_s() - 0.5, 3.2, {}, nullptr});
     finger.render();
   }

@@ -44,7 +44,8 @@ class Finger {
 
 }  // namespace
 
-TEST_CASE("presses: to the end and back is one; the strongest force and the deepest place are told once") {
+TEST_CASE(
+    "presses: to the end and back is one; the strongest force and the deepest place are reported once") {
   for (const Button& button : {linearButton(), tactileButton(), twoLevelButton()}) {
     Finger finger(button);
     finger.to(0);

@@ -68,7 +68,8 @@ TEST_CASE(
   CHECK(writeBids(results, folder / "bids"));
 }
 
-TEST_CASE("plan: every pair as often as asked, sides and X balanced independently, the same list each time") {
+TEST_CASE(
+    "plan: every pair as often as requested, sides and X balanced independently, the same list each time") {
   StudyDesign design;
   design.seed = 5;
   const StudyFolder made(design, {"A", "B", "C", "D", "E", "F"});
@@ -349,7 +350,7 @@ TEST_CASE("unfinished: the rule is chosen before the first person and kept") {
 }
 
 TEST_CASE(
-    "feel: a study plays what everything else plays unless the paper's is asked for; its files say which") {
+    "feel: a study plays what everything else plays unless the paper's is requested; its files say which") {
   for (const Feel feel : {usualSettings().feel, Feel::paper}) {
     StudyDesign design;
     design.feel = feel;
@@ -646,7 +647,7 @@ TEST_CASE(
     CHECK_FALSE(ParticipantSession::open(*made.study, id, simulatedStart));
 }
 
-TEST_CASE("session: clocks that disagree are told, times stay as measured") {
+TEST_CASE("session: clocks that disagree are reported, times stay as measured") {
   const StudyFolder made;
   SessionStart later = simulatedStart;
   later.kind = SessionKind::rehearsal;
@@ -692,7 +693,7 @@ TEST_CASE("session: a trial broken off by the device is marked, its row says so"
   CHECK(rows[2].condition == "quiet/simulated/repeated");
 }
 
-TEST_CASE("session: an early end keeps the columns; stopping is told") {
+TEST_CASE("session: an early end keeps the columns; stopping is reported") {
   const StudyFolder made;
   {
     Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
