@@ -286,7 +286,7 @@ void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
-// Digits of a number on the curve: what a reader compares at a glance.
+// Digits of a number on the curve, few enough to be compared at a glance.
 constexpr int shownDigits = 4;
 
 QString shortForce(double force_N, const GraphScene& scene) {

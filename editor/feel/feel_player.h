@@ -33,8 +33,8 @@ struct SensorPort {
 };
 
 /// One finger on one program at a time. A press is timed (down, up) or followed (force or depth, then lift);
-/// what begins while another finger holds the button is ignored. GUI thread; devices are opened and closed on
-/// a thread of its own.
+/// while one finger holds the button, input of others is ignored. GUI thread; devices are opened and closed
+/// on a thread of its own.
 class FeelPlayer : public QObject {
   Q_OBJECT
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Two buttons and one finger, without widgets: what is pressed, what it feels like, where the finger stands.
+// Two buttons and one finger, without widgets: the pressed button, its signals and the finger's position.
 // The window owns it; the feel panel shows it.
 
 #include <array>

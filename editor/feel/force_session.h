@@ -81,7 +81,7 @@ class ForceSession : public QObject {
   void stateChanged();
   /// About 100 times a second while it runs.
   void moved();
-  /// Margin, device or what was changed.
+  /// The margin, the device or the changes by makeStable changed.
   void marginChanged();
   void said(const QString& message);
 

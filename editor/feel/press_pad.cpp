@@ -92,7 +92,7 @@ void PressPad::timerEvent(QTimerEvent*) {
 
 // ---- input
 
-// One finger at a time: what comes while another source holds the button is not a press.
+// Begins a press, unless another source holds the button.
 bool PressPad::begin(Source source, double y_px, bool byPressure) {
   if (held_ || !button_) return false;
   held_ = source;

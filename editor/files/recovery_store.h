@@ -51,7 +51,7 @@ class RecoveryStore : public QObject {
   void watch(ButtonDocument& document);
   /// Deletes a button's recovery file, because the user has saved or discarded the changes.
   void forget(ButtonDocument& document);
-  /// Writes what waits and returns when it is on the disk.
+  /// Writes all pending changes and returns when they are on the disk.
   void flush();
 
   /// Documents of dead editors, newest first. They stay reserved for this editor until it ends. Files that

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Forecasts of confusion off the GUI thread: the latest request wins, what it overtook is given up.
+// Forecasts of confusion off the GUI thread. Only the latest request is answered; older ones are cancelled.
 
 #include <cstdint>
 #include <map>

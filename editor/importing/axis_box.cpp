@@ -308,9 +308,9 @@ void AxisBox::showEnds(const AxisCorrection& given, const std::optional<AxisEnds
     const QString text = givenEnd ? numberText(*givenEnd, 5)
                          : found  ? endText(foundEnd, std::abs(found->max - found->min))
                                   : QString();
-    if (text == edit.text()) return;  // what is selected there stays selected
+    if (text == edit.text()) return;  // keeps the selection in an unchanged field
     edit.setText(text);
-    if (edit.hasFocus()) edit.selectAll();  // what is typed next takes its place, not a place behind it
+    if (edit.hasFocus()) edit.selectAll();  // the next typed text replaces this one
   };
   show(*min_, minShown_, given.min, found ? found->min : 0);
   show(*max_, maxShown_, given.max, found ? found->max : 0);

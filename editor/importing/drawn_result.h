@@ -11,7 +11,7 @@
 
 namespace detent::editor {
 
-/// A tick as found: where it stands and what was read there.
+/// A tick as found: its position and the value read there.
 struct DrawnTick {
   importer::Point at;  ///< page units, on the axis
   double value = 0;

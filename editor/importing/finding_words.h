@@ -19,7 +19,7 @@ struct Advice {
 /// `documentName` is left out of the sentence: the dialogue shows it anyway.
 Advice adviceFor(const Failure& failure, const QString& documentName, const DisplayUnits& units = modelUnits);
 
-/// A doubt with these corrections: what is already given need not be advised again.
+/// Advice for a doubt with these corrections; corrections that are already given are not advised again.
 Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
                  const DisplayUnits& units = modelUnits);
 

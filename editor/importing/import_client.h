@@ -29,7 +29,8 @@ class ImportClient : public QObject {
   ImportClient(const ImportClient&) = delete;
   ImportClient& operator=(const ImportClient&) = delete;
 
-  /// Queued after what is as urgent. The answer comes as `answered`, unless the ticket is forgotten.
+  /// Queues a query behind those of the same urgency. The answer comes as `answered`, unless the ticket is
+  /// forgotten.
   Ticket ask(Query query, Urgency urgency);
   /// Drops a query whose answer is not wanted any more, and stops it if it runs. Unknown tickets and 0 are
   /// ignored.

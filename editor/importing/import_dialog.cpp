@@ -499,7 +499,8 @@ void ImportDialog::Impl::showAdvice() {
     return say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
   }
   if (several) return say(AdviceBar::Tone::note, adviceOnSwitches(*graph));
-  // While a graph is read again, what was said of it stands; what was said before it was there does not.
+  // While a graph is read again, the advice of its previous result stays; the first reading of a graph
+  // clears the advice of another one.
   if (graph->pending == 0 || !graph->last) clearAdvice();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The way from a datasheet to a button: pages and graphs, what was found drawn over the page, and every
-// finding open to correction.
+// The dialogue that turns a datasheet into a button: pages and graphs, findings drawn over the page, and
+// corrections of every finding.
 
 #include <functional>
 #include <memory>

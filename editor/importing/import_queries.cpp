@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int thumbnailSide_px = 320;  // twice what is shown: for screens with two pixels per point
+constexpr int thumbnailSide_px = 320;  // twice the shown size, for screens with two pixels per point
 // Larger pictures are scaled down for the screen, never for the import.
 constexpr int sheetSide_px = 3200, viewSide_px = 2000;
 

@@ -146,7 +146,7 @@ std::optional<FrameCorners> ImportGraph::corners() const {
   if (!listed) return {};
   const importer::Box& box = listed->frame;
   FrameCorners corners{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
-  // Upright is what a reader sees after the page's quarter turns.
+  // Upright means after the page's quarter turns, as a reader sees it.
   std::rotate(corners.begin(), corners.begin() + (4 - listed->quarterTurns) % 4, corners.end());
   return corners;
 }

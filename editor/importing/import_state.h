@@ -49,7 +49,7 @@ struct ImportGraph {
   QImage thumbnail;
   bool ticked = false;  ///< to be imported with the others
   std::set<std::string>
-      tickedCurves;        ///< of several switches in it those to be imported, by Corrections::curve
+      tickedCurves;  ///< names or numbers (Corrections::curve) of the switches to be imported, if the graph has several
   bool confirmed = false;  ///< a person has checked the doubtful result against the page
   CorrectionHistory history;
 
@@ -76,7 +76,7 @@ struct ImportGraph {
   std::optional<ResultBrief> brief() const;
   /// Keeps the brief only; the result is requested again when it is shown.
   void letResultGo();
-  /// A finished report for exactly what is set now.
+  /// Returns true if there is a report for exactly the present settings.
   bool upToDate(importer::Quality quality) const;
 };
 

@@ -113,7 +113,7 @@ class ScaleTool : public PageTool {
   std::optional<Target> target_;
 };
 
-/// A rectangle from corner to corner; what it means is the subclass'.
+/// A rectangle from corner to corner; subclasses decide its use.
 class RectangleTool : public PageTool {
  public:
   using PageTool::PageTool;

@@ -72,7 +72,7 @@ class PageView : public QWidget {
   void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
   /// Asks for the value that both axes have in the corner where they meet: one step sets a tick on each.
   void askOrigin(importer::Point at);
-  /// Says something about what was tried, where the tool's hint stands.
+  /// Shows a sentence about the attempted action in place of the tool's hint.
   void say(const QString& sentence) { emit hint(sentence); }
   /// Marks the axis that is in question; nullopt: none.
   void setDoubt(std::optional<GraphAxis> axis);
@@ -83,7 +83,7 @@ class PageView : public QWidget {
 
  signals:
   void toolChanged(PageToolKind kind);
-  void hint(const QString& text);  ///< what the tool does, and why something was refused
+  void hint(const QString& text);  ///< effect of the tool, or the reason of a refusal
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -116,7 +116,7 @@ class PageView : public QWidget {
   void takeResult();
   void takeCurrent();
   void refit();       ///< waits for endGesture while a gesture runs
-  void endGesture();  ///< does what a gesture held up, if none is running any more
+  void endGesture();  ///< does delayed work, unless another gesture is running
   void fitRect(QRectF page, double margin);
   void setTransform(const QTransform& pageToWidget);
   QRectF pageBounds() const;

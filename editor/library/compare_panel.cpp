@@ -69,7 +69,7 @@ void ComparePanel::build() {
   split_->setChildrenCollapsible(false);
   split_->addWidget(plotSide());
   split_->addWidget(figureSide());
-  split_->setStretchFactor(0, 1);  // the graphs take what a larger window has more
+  split_->setStretchFactor(0, 1);  // the graphs take the additional space of a larger window
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(split_);
@@ -392,7 +392,7 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   layOutTable();
 }
 
-// Numbers have the room they need; what is left goes to the names above them, then to those of the rows.
+// Numbers get the width they need; the rest goes to the names above them, then to those of the rows.
 void ComparePanel::layOutTable() {
   const int columns = table_->columnCount();
   if (columns < 3 || table_->rowCount() == 0) return;

@@ -61,7 +61,7 @@ void ComparePlot::fitTicks() {
   if (changed) replot(rpQueuedReplot);
 }
 
-// Names side by side: what has no room is shortened in its middle.
+// Puts names side by side; names without enough room are shortened in their middle.
 void ComparePlot::fitNames(int width_px) {
   if (graphs_.empty()) return;
   const int inLine = std::min(namesInLine, static_cast<int>(graphs_.size()));

@@ -19,7 +19,8 @@ namespace detent::editor {
 
 class ComparePlot;
 
-/// Works on copies: what is edited meanwhile stays out. GUI thread; forecasts are computed beside it.
+/// Works on copies, so later edits of the buttons have no effect. GUI thread; forecasts are computed beside
+/// it.
 class MorphDialog : public QDialog {
   Q_OBJECT
 

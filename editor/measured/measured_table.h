@@ -20,7 +20,7 @@ struct MeasuredSwitches {
   importer::RatingsByName ratings = importer::RatingsByName({});
 };
 
-/// A switch among those of the library: its index there. Rows are what is shown of them.
+/// Index of a switch in the library. The rows of the table are a part of these.
 using SwitchIndex = std::size_t;
 
 /// The name is the row's header. GUI thread.

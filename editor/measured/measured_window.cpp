@@ -52,7 +52,7 @@ class NoGrips : public QProxyStyle {
 
 QLabel* wordsOf(const char* name) {
   QLabel* label = wrappingLabel(QString::fromLatin1(name));
-  label->setTextFormat(Qt::PlainText);  // files name themselves what they like
+  label->setTextFormat(Qt::PlainText);  // names of files may contain markup
   return label;
 }
 
@@ -549,7 +549,7 @@ void MeasuredWindow::rowsChanged() {
   showChosen();
 }
 
-// Selects in the table what is chosen and shown there.
+// Selects the chosen switches in the table, as far as it shows them.
 void MeasuredWindow::restoreChosen() {
   QItemSelection selection;
   const std::vector<SwitchIndex>& rows = table_.shown();

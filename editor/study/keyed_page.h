@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A page for participants: large plain texts and buttons, each of which says its key. A key does what its
-// button does, because both come from one place.
+// A page for participants: large plain texts and buttons, each with its key. A key and its button do the
+// same, because both come from one place.
 
 #include <functional>
 #include <QLabel>

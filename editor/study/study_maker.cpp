@@ -54,7 +54,7 @@ QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
   return box;
 }
 
-/// "0.6; 0.8; 1": what cannot be read comes out as 0, which no design takes.
+/// "0.6; 0.8; 1": unreadable numbers become 0, which no design accepts.
 std::vector<double> numbersIn(const QString& text) {
   std::vector<double> numbers;
   for (const QString& part : text.split(';', Qt::SkipEmptyParts))

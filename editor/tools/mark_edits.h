@@ -31,7 +31,7 @@ Result<Button> setMarkSlope(const Button& button, std::size_t state, MarkId hand
 Result<Button> moveSectionEnd(const Button& button, std::size_t state, Stroke stroke, const Section& section,
                               CurvePoint to);
 
-/// Removes what a mark stands for: a knot, a jump with its tactile point, an operating or reset point.
+/// Removes a mark's object: a knot, a jump with its tactile point, an operating or reset point.
 Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark);
 
 /// Toggles a knot between corner and smooth.

@@ -44,7 +44,7 @@ class Tool {
   /// The drag of the tool was cancelled (Escape, undo).
   virtual void dragCancelled() {}
   virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
-  /// One sentence about what the mouse does now.
+  /// One sentence about the present effect of the mouse.
   virtual QString hint() const = 0;
 
  protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which device a press goes to, and what its format makes of it, before it is written.
+// Chooses the device for a press, and shows before it is written how its format changes it.
 
 #include <QComboBox>
 #include <QDialog>

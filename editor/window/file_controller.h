@@ -39,7 +39,7 @@ class FileController : public QObject {
   void open(const QStringList& paths);
   /// A button file; null if it cannot be opened (said).
   DocumentTab* openButton(const QString& path);
-  /// Files or a picture from clipboard or drop; false if there is nothing of use in it.
+  /// Opens files or a picture from the clipboard or a drop; returns false if there is nothing usable.
   bool take(const QMimeData& data);
   static bool canTake(const QMimeData& data);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The window of detent-edit: puts tabs, side panels, menus and keys together. What is done with files is
-// FileController's.
+// The window of detent-edit: arranges tabs, side panels, menus and keys. Files are opened and saved by
+// FileController.
 
 #include <QDockWidget>
 #include <QLabel>

@@ -274,7 +274,8 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                    box.y1 + 0.35 * box.height()};
   const Inked on{view.raster, d, darkMarks};
   const std::vector<Box> marks = glyphsIn(glyphBoxes(darkMarks, 2, largest), around, largest);
-  // letters of a name beside a key that is shorter than a word; letters of any such name
+  // most letters of a name that is too short for a word and stands beside a key; most letters of a name
+  // beside a key in general
   constexpr std::size_t mostLetters = 2, mostOfAName = 5;
   std::vector<TextLine> lines;
   for (const auto& row : groupedLines(marks, 1.1)) {

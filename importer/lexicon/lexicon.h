@@ -74,8 +74,9 @@ std::optional<double> costOfReading(std::string_view read, std::string_view prin
 /// A whole unit that reads as another sign: "eN" is "cN".
 struct UnitReading {
   std::string_view printed;
-  double cost = 0;             ///< 0..1
-  bool needsQuantity = false;  ///< what was read is a word or unit of its own
+  double cost = 0;  ///< 0..1
+  bool needsQuantity =
+      false;  ///< true if the recognised text is itself a word or a unit, so that only a named quantity can decide
 };
 /// `withCyrillic`: of exact text, only with Cyrillic letters beside it.
 std::optional<UnitReading> unitReadAs(std::string_view read, TextSource source, bool withCyrillic);

@@ -222,7 +222,8 @@ TEST_CASE("how far a search goes is the same on every machine") {
   CHECK(decided.size() == 2);
 }
 
-// D's bottom-out is found elsewhere before its travel is so short; the figure jumps, and no step leads on.
+// Before D's travel becomes so short, its bottom-out begins at another knot: the figure jumps, and no small
+// step leads across.
 TEST_CASE(
     "a start of the bottom-out that would jump is reported as a bottom-out that would begin elsewhere") {
   const Sample sample = samples()[3];
