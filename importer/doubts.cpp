@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "importer/axes/axis_labels.h"
 #include "importer/axes/button_sizes.h"
 #include "importer/axes/text_source.h"
 #include "importer/lexicon/printed_unit.h"
@@ -44,9 +45,9 @@ constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;
 // The release of a self-locking button ends half-way without force, and the names in a drawing say so.
 constexpr double atRest = 0.1;  // share of the press' force there
 
-bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
+bool confirmedBySpec(const std::vector<SpecCheck>& checks, Axis axis) {
   return std::any_of(checks.begin(), checks.end(),
-                     [&](const SpecCheck& c) { return c.spec.isForce() == force && c.agrees; });
+                     [&](const SpecCheck& c) { return c.spec.isForce() == (axis == Axis::y) && c.agrees; });
 }
 
 /// Smallest and largest of one coordinate.
@@ -333,7 +334,7 @@ std::optional<double> forceLeft(const StrokePair& strokes) {
 }
 
 /// Returns true if the points fall monotonically from left to right.
-bool onlyFalls(const std::vector<Point>& pixels) {
+bool pixelsFall(const std::vector<Point>& pixels) {
   constexpr std::size_t parts = 10;
   constexpr double unevenness_px = 2;
   const auto [left, right] = std::ranges::minmax(pixels, {}, &Point::x);
@@ -381,18 +382,19 @@ class Doubts {
   void units() {
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     for (Doubt& other : otherQuantitiesOf(axes)) doubts_.push_back({std::move(other), contradicted});
-    unit(axes.x, false, hints_.axes.xUnit.has_value());
-    unit(axes.y, true, hints_.axes.yUnit.has_value());
+    if (!hints_.axes.xUnit) unit(axes.x, Axis::x);
+    if (!hints_.axes.yUnit) unit(axes.y, Axis::y);
     // A given unit does not resolve whether "," is a decimal or a thousands separator.
     if (axes.x.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"x"}, RemedyKind::giveXAxis);
     if (axes.y.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"y"}, RemedyKind::giveYAxis);
   }
 
-  void unit(const AxisReading& axis, bool force, bool given) {
-    const bool settled = given || axis.unitFound || confirmedBySpec(checks_, force);
-    if (axis.otherQuantity.empty() && !settled)
-      add(DoubtCode::unitMissing, unconfirmed, {force ? "y" : "x", axis.unit},
-          force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit);
+  /// Doubts the unit of an axis for which the user gave none.
+  void unit(const AxisReading& axis, Axis which) {
+    if (!axis.otherQuantity.empty() || axis.unitFound || confirmedBySpec(checks_, which)) return;
+    const bool isX = which == Axis::x;
+    add(DoubtCode::unitMissing, unconfirmed, {isX ? "x" : "y", axis.unit},
+        isX ? RemedyKind::giveXUnit : RemedyKind::giveYUnit);
   }
 
   void sizes() {
@@ -400,10 +402,10 @@ class Doubts {
     const double travel_mm = travelOf(findings_.strokes.value.press).high;
     const double force_N = forceOf(findings_.strokes.value.press).high;
     const bool travelGiven = given.xMin && given.xMax;
-    if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, false))
+    if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, Axis::x))
       add(DoubtCode::implausibleTravel, unconfirmed, {{travel_mm, Measure::displacement_mm}},
           sizeRemedies(given.xUnit.has_value(), RemedyKind::giveXUnit, RemedyKind::giveXAxis));
-    if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, true))
+    if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, Axis::y))
       add(DoubtCode::implausibleForce, unconfirmed, {{force_N, Measure::force_N}},
           sizeRemedies(given.yUnit.has_value(), RemedyKind::giveYUnit, RemedyKind::giveYAxis));
   }
@@ -919,7 +921,7 @@ class Doubts {
     std::size_t ofStrokes = 0;
     for (const CurveTrace& trace : findings_.traces)
       ofStrokes = std::max(ofStrokes, shownOf(left, trace.color));
-    return !left.pixels_px.empty() && !findings_.graph.view.raster.empty() && onlyFalls(left.pixels_px) &&
+    return !left.pixels_px.empty() && !findings_.graph.view.raster.empty() && pixelsFall(left.pixels_px) &&
            static_cast<double>(ofStrokes) < mostOfStrokes * static_cast<double>(left.pixels_px.size());
   }
 

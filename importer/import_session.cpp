@@ -939,7 +939,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
 namespace {
 
 /// The contact points recorded in a log, in the form of a page's callouts.
-std::vector<Callout> contactsOf(const ForceLog& log) {
+std::vector<Callout> contactPointsOf(const ForceLog& log) {
   std::vector<Callout> contacts;
   if (log.operatingPoint_mm)
     contacts.push_back({CalloutKind::operatingPoint, {*log.operatingPoint_mm, 0}, {}, 1, {}});
@@ -1112,7 +1112,7 @@ Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,
     return failureOf(*gravest, name());
   }
   provenance.warnings = recorded(log->remarks);
-  auto button = buttonFrom(stem(), *fitted, contactsOf(*log), provenance);
+  auto button = buttonFrom(stem(), *fitted, contactPointsOf(*log), provenance);
   if (!button) return button.failure();
   ImportReport report(std::move(button).value());
   report.strokes = std::move(log->strokes);

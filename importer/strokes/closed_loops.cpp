@@ -101,7 +101,7 @@ double crossedShare(const CurvePath& a, const CurvePath& b) {
 /// Smaller distance of a far end from the other line, as a share of their common bounding box. Among measured
 /// switches no release begins farther than 0.007 from its press
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
-double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
+double gapOfPaths(const CurvePath& a, const CurvePath& b) {
   const Box joinedRoom = a.room_px.joined(b.room_px);
   const auto inShares = [&](const CurvePath& path) {
     Polyline shares;
@@ -111,10 +111,7 @@ double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
   };
   if (joinedRoom.width() <= 0 || joinedRoom.height() <= 0) return 0;
   const Polyline ofA = inShares(a), ofB = inShares(b);
-  const auto gap = [](const Polyline& from, const Polyline& to) {
-    return distance(from.back(), nearestOn(to, from.back()));
-  };
-  return std::min(gap(ofA, ofB), gap(ofB, ofA));
+  return gapAtTheEnds(ofA, ofA.back(), ofB, ofB.back());
 }
 
 /// Returns true if both begin and end in one point, as press and release of one switch do but two presses do
@@ -122,7 +119,7 @@ double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
 bool endInOnePoint(const CurvePath& a, const CurvePath& b) {
   constexpr Apart closed{0.03, 0.01, 0.025};
   constexpr double mostGap = 0.005;  // share of their common bounding box
-  return endTogether(a, b, closed) && gapAtTheEnds(a, b) <= mostGap;
+  return endTogether(a, b, closed) && gapOfPaths(a, b) <= mostGap;
 }
 
 /// Returns true if the curves cross more than two strokes of one switch do. Strokes of a key with two snaps
@@ -134,6 +131,10 @@ bool cross(const CurvePath& a, const CurvePath& b) {
 }
 
 }  // namespace
+
+double gapAtTheEnds(const Polyline& a, Point endOfA, const Polyline& b, Point endOfB) {
+  return std::min(distance(endOfA, nearestOn(b, endOfA)), distance(endOfB, nearestOn(a, endOfB)));
+}
 
 bool onlyFalls(const CurveTrace& trace) {
   constexpr double rippleShare = 0.02;  // share of the fall; traced points are noisy
@@ -199,8 +200,8 @@ std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const I
     if (paths[i].room_px.width() < leastWidth * widest_px) return {};
     for (std::size_t j = 0; j < i; ++j) {
       // With only two curves, the one that ends early may be a release that was traced incompletely.
-      const bool endApart = drawn.size() > 2 &&
-                            (endFarApart(paths[i], paths[j]) || gapAtTheEnds(paths[i], paths[j]) > leastGap);
+      const bool endApart =
+          drawn.size() > 2 && (endFarApart(paths[i], paths[j]) || gapOfPaths(paths[i], paths[j]) > leastGap);
       if (traces[drawn[i]].color == traces[drawn[j]].color || !(endApart || cross(paths[i], paths[j])))
         return {};
     }

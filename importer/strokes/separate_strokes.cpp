@@ -8,6 +8,7 @@
 
 #include "importer/axes/text_source.h"
 #include "importer/page/polyline.h"
+#include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
 #include "importer/strokes/switches.h"
@@ -362,16 +363,13 @@ Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
 }
 
 /// Smaller distance of a far end from the other line, as a share of their common span.
-double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
+double gapOfStrokes(const StrokePoints& first, const StrokePoints& second) {
   const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
                         spanOfBoth(first, second, &CurvePoint::force_N)};
   if (!(span.displacement_mm > 0 && span.force_N > 0)) return 0;
   const Polyline a = inShares(first, span), b = inShares(second, span);
-  const auto gap = [](const Polyline& from, const Polyline& to) {
-    const Point end = *std::ranges::max_element(from, {}, &Point::x);
-    return distance(end, nearestOn(to, end));
-  };
-  return std::min(gap(a, b), gap(b, a));
+  const auto farEnd = [](const Polyline& line) { return *std::ranges::max_element(line, {}, &Point::x); };
+  return gapAtTheEnds(a, farEnd(a), b, farEnd(b));
 }
 
 /// Returns true if two lines in different colours end at different heights, with the lower end beside the
@@ -382,7 +380,7 @@ bool bottomOutsApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double beside =
       0.01;  // share of both spans; 449 drawn pairs of measured switches have 0.005 at most
   return std::abs(topsApart(first, second, &CurvePoint::force_N)) > clearForce &&
-         gapAtTheEnd(first, second) > beside;
+         gapOfStrokes(first, second) > beside;
 }
 
 /// Share of the mean square difference between two strokes, over their common travel, that vanishes if one is
@@ -418,7 +416,7 @@ double sharedShape(const StrokePoints& first, const StrokePoints& second) {
 bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr double open = 0.015;  // pairs of one shape have at most 0.007, more with a stepped bottom-out
   constexpr double alike = 0.9;   // pairs that stay open have 0.84 at most
-  return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
+  return bothDrop(first, second) && gapOfStrokes(first, second) > open && sharedShape(first, second) > alike;
 }
 
 /// Returns true for the release of a key that locks: both lines end together, and the one that starts at
@@ -432,7 +430,7 @@ bool locksAtBaseline(const StrokePoints& press, const StrokePoints& release, dou
   const CurvePoint from = press.points.front(), to = release.points.front();
   return to.displacement_mm - from.displacement_mm > farther * span_mm && below <= mostBelow &&
          std::max(std::abs(from.force_N), std::abs(to.force_N)) < rest_N && !reachApart(press, release) &&
-         gapAtTheEnd(press, release) < together;
+         gapOfStrokes(press, release) < together;
 }
 
 /// Press and release of one switch.

@@ -288,12 +288,14 @@ bool cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeW
   return true;
 }
 
-struct Contact {
+/// Indices of two points at which two lines touch.
+struct TouchingPoints {
   std::size_t a, b;
 };
 
-std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<Point>& b, double within) {
-  std::vector<Contact> contacts;
+std::vector<TouchingPoints> touchingPoints(const std::vector<Point>& a, const std::vector<Point>& b,
+                                           double within) {
+  std::vector<TouchingPoints> touches;
   std::size_t from = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     double best = within * within;
@@ -306,10 +308,10 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
       }
     }
     if (at == b.size()) continue;
-    contacts.push_back({i, at});
+    touches.push_back({i, at});
     from = at;
   }
-  return contacts;
+  return touches;
 }
 
 constexpr double kMuch =
@@ -552,13 +554,13 @@ class PairSearch {
 std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vector<Point>& a,
                                                                  const std::vector<Point>& b,
                                                                  double contact_px) {
-  std::vector<Contact> contacts = contactsOf(a, b, contact_px);
-  contacts.push_back({a.size() - 1, b.size() - 1});
+  std::vector<TouchingPoints> touches = touchingPoints(a, b, contact_px);
+  touches.push_back({a.size() - 1, b.size() - 1});
   std::vector<Point> upper, lower;
   std::size_t a0 = 0, b0 = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact c = contacts[k];
-    const std::size_t last = k + 1 == contacts.size() ? 1 : 0;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const TouchingPoints c = touches[k];
+    const std::size_t last = k + 1 == touches.size() ? 1 : 0;
     const bool aLeft = leftness(a, a0, c.a, b, b0, c.b) >= 0;
     std::vector<Point>& forA = aLeft ? upper : lower;
     std::vector<Point>& forB = aLeft ? lower : upper;
