@@ -243,8 +243,8 @@ bool FeelPlayer::take(Finger finger) {
   if (finger_ == Finger::lifting) finger_ = Finger::none;
   if (finger_ != Finger::none && finger_ != finger) return false;
   if (finger_ == Finger::none) {
-    if (sound_ == SoundState::off)
-      startSound();  // not after a failure: opening the device again may take long
+    // not after a failure: opening the device again may take long
+    if (sound_ == SoundState::off) startSound();
     finger_ = finger;
     pressed_ = true;
     pace();

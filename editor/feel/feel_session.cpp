@@ -134,8 +134,8 @@ bool FeelSession::playable() const { return program() && settings_.sound && !pla
 
 void FeelSession::play() {
   if (!program()) return;
-  if (!player_.pressed() && state_ != firstState())
-    underFinger();  // the last press left the button in another state
+  // the last press left the button in another state
+  if (!player_.pressed() && state_ != firstState()) underFinger();
   if (!player_.play(std::make_shared<const playback::PressTrace>(signal()->press)))
     emit said(settings_.sound ? tr("Only one press can be played at a time")
                               : tr("Switch the sound on to play a press"));

@@ -169,8 +169,8 @@ class FeelSession : public QObject {
   std::size_t state_ = 0;
   bool watched_ = false;
   std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
-  std::size_t ownState_ = 0,
-              pressBegan_ = 0;  ///< state in which the last press by hand began, and the running one
+  /// state in which the last press by hand began, and the running one
+  std::size_t ownState_ = 0, pressBegan_ = 0;
   bool drawsOwn_ = false;
   std::shared_ptr<const ReferenceDrawing> reference_;
   QString referenceTrouble_;

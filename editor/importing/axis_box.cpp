@@ -185,8 +185,8 @@ void AxisBox::takeEnd(bool isMax) {
   if (other.value && other.shown == value.shown) return showRefusal(*edit, noLength());
   edit->setModified(false);
   const std::optional<double> otherShown = other.value ? std::optional(other.shown) : std::nullopt;
-  const bool bothTyped =
-      otherShown && otherEdit->isModified();  // the other end was typed first and waited for this one
+  // the other end was typed first and waited for this one
+  const bool bothTyped = otherShown && otherEdit->isModified();
   if (bothTyped) {
     otherEdit->setModified(false);
     showRefusal(*otherEdit, {});

@@ -431,8 +431,8 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
   setWindowTitle(tr("Measured switches \u2013 %1").arg(QFileInfo(path).fileName()));
   sayBusy(false);
   chosen_.clear();
-  if (reference_ && reference_->own)
-    reference_.reset();  // its index may belong to another switch in the new library
+  // its index may belong to another switch in the new library
+  if (reference_ && reference_->own) reference_.reset();
   table_.setSwitches(switches);
   pages_->setCurrentIndex(switches->switches.empty() ? 0 : 1);
   listRequested();

@@ -75,8 +75,8 @@ std::optional<double> costOfReading(std::string_view read, std::string_view prin
 struct UnitReading {
   std::string_view printed;
   double cost = 0;  ///< 0..1
-  bool needsQuantity =
-      false;  ///< true if the recognised text is itself a word or a unit, so that only a named quantity can decide
+  /// true if the recognised text is itself a word or a unit, so that only a named quantity can decide
+  bool needsQuantity = false;
 };
 /// `withCyrillic`: of exact text, only with Cyrillic letters beside it.
 std::optional<UnitReading> unitReadAs(std::string_view read, TextSource source, bool withCyrillic);

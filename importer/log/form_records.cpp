@@ -399,8 +399,8 @@ class RecordFormer {
 
   static constexpr double kWhole = 0.6;          // share of the longest press: an aborted one is less
   static constexpr double kLeastRelease = 0.12;  // share of the longest press; shorter releases are twitches
-  static constexpr double kMoved =
-      0.03;  // share of the longest press; less is where the stage stopped by chance
+  // share of the longest press; less is where the stage stopped by chance
+  static constexpr double kMoved = 0.03;
 
   void joinRun(const std::vector<FoundStroke>& strokes) {
     double longest = 0;

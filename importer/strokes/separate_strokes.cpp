@@ -80,8 +80,8 @@ std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, doubl
 
 struct Comparison {
   double commonShare = 0;  ///< displacement that both cover, relative to that which either covers
-  double above =
-      0;  ///< share of the common displacement where the first stroke lies clearly above the second
+  /// share of the common displacement where the first stroke lies clearly above the second
+  double above = 0;
   double below = 0;
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };
@@ -240,8 +240,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
 /// A key returns no more energy than was put into it. A curve above the press over a noticeable share of the
 /// travel is therefore a callout's box or another switch's curve. Colours given by the user are accepted.
 std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double clearShare = 0.05,
-                   leastTravel = 0.15;  // share of the press force; share of the shared travel
+  // share of the press force; share of the shared travel
+  constexpr double clearShare = 0.05, leastTravel = 0.15;
   const auto [low, high] =
       std::minmax_element(press.points.begin(), press.points.end(),
                           [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; });
@@ -322,8 +322,8 @@ bool reachApart(const StrokePoints& first, const StrokePoints& second) {
 /// the loop is open, as between curves of two switches. On a bottom-out the strokes of one button may be cut
 /// at different heights.
 double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double lastShare = 0.03,
-                   steep = 0.1;  // share of the travel; share of the span, over that stretch
+  // share of the travel; share of the span, over that stretch
+  constexpr double lastShare = 0.03, steep = 0.1;
   constexpr std::size_t columns = 200;
   const double least_mm = lastShare * spanOfBoth(first, second, &CurvePoint::displacement_mm),
                span_N = spanOfBoth(first, second, &CurvePoint::force_N);
@@ -377,8 +377,8 @@ double gapOfStrokes(const StrokePoints& first, const StrokePoints& second) {
 /// bottom-out begins on the press.
 bool bottomOutsApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clearForce = 0.12;  // share of both strokes' span
-  constexpr double beside =
-      0.01;  // share of both spans; 449 drawn pairs of measured switches have 0.005 at most
+  // share of both spans; 449 drawn pairs of measured switches have 0.005 at most
+  constexpr double beside = 0.01;
   return std::abs(topsApart(first, second, &CurvePoint::force_N)) > clearForce &&
          gapOfStrokes(first, second) > beside;
 }
@@ -452,8 +452,8 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
-  constexpr double mostOpen =
-      0.16;  // share of the force span; 327 drawn or measured buttons have 0.13 at most
+  // share of the force span; 327 drawn or measured buttons have 0.13 at most
+  constexpr double mostOpen = 0.16;
   const bool apart = !byHand && !paired &&
                      (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
                       (first.color != second.color && (tipsCrossed(a, b) || bottomOutsApart(a, b))));

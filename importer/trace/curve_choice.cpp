@@ -309,8 +309,8 @@ bool isOneMore(const PlotColours& plot, const std::vector<CurveColour>& curves, 
 /// line.
 bool isLineFromRest(const PlotColours& plot, const std::vector<CurveColour>& curves,
                     const CurveColour& line) {
-  constexpr double near = 0.03,
-                   leastTravel = 0.9;  // share of the frame, each way; share of the travel of the longest
+  // share of the frame, each way; share of the travel of the longest
+  constexpr double near = 0.03, leastTravel = 0.9;
   const Box& frame = plot.area().frame;
   const auto startOf = [](const CurveColour& curve) {
     return static_cast<double>(curve.pooling) * *std::ranges::min_element(curve.path.points, {}, &Point::x);

@@ -314,8 +314,8 @@ std::vector<TouchingPoints> touchingPoints(const std::vector<Point>& a, const st
   return touches;
 }
 
-constexpr double kMuch =
-    0.2;  // share of the frame's width: remaining pixels that may be a curve or a bottom-out
+// share of the frame's width: remaining pixels that may be a curve or a bottom-out
+constexpr double kMuch = 0.2;
 /// Of the frame's height below the strokes' tops: bottom-outs of other switches have at least 0.23, leaders
 /// at most 0.15.
 constexpr double kBottomOutBelow = 0.2;

@@ -466,8 +466,8 @@ bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& fr
   const auto [first, last] = std::ranges::minmax(pixels, {}, [&](Point p) { return dot(p - middle, along); });
   const double from = dot(first - middle, along), length = dot(last - middle, along) - from;
   if (length < shortest * strokeWidth || length > longest * frame.width()) return false;
-  std::vector<double> across(static_cast<std::size_t>(length) + 1,
-                             0);  // thickness at each pixel along the arrow
+  // thickness at each pixel along the arrow
+  std::vector<double> across(static_cast<std::size_t>(length) + 1, 0);
   for (const Point& p : pixels) {
     double& most = across[static_cast<std::size_t>(std::max(0.0, dot(p - middle, along) - from))];
     most = std::max(most, 2 * std::abs(cross(along, p - middle)) + 1);

@@ -184,8 +184,8 @@ class FeelLiveTest : public QObject {
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY(play->text().contains("Stop"));
     QTest::mouseClick(play, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!rig.session.player().samplesPlaying(),
-                             500);  // much shorter than the second that the sound lasts
+    // much shorter than the second that the sound lasts
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.session.player().samplesPlaying(), 500);
   }
 
   void forceAndVibrationComeFromOnePress() {

@@ -228,8 +228,8 @@ class FeelPartsTest : public QObject {
     strip.addEvents(events, 5, 48000);
     QCOMPARE(strip.eventCount(), std::size_t{20});
     strip.addMoment({5 + PressStrip::span_s, 0, false, false});
-    QCOMPARE(strip.eventCount(),
-             std::size_t{11});  // the events of the last 0.1 s before the oldest drawn moment stay
+    // the events of the last 0.1 s before the oldest drawn moment stay
+    QCOMPARE(strip.eventCount(), std::size_t{11});
     strip.addMoment({20, 0, false, false});
     QCOMPARE(strip.eventCount(), std::size_t{0});
   }

@@ -742,8 +742,8 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QVERIFY(frame);
   const double scale = std::abs(view.pageToWidget().m11());
   QVERIFY(std::abs((*frame)[1].x - (corners[1].x - 30 / scale)) < 2 / scale);
-  for (const std::size_t other : {0u, 2u, 3u})
-    QCOMPARE((*frame)[other], corners[other]);  // one corner moves alone
+  // one corner moves alone
+  for (const std::size_t other : {0u, 2u, 3u}) QCOMPARE((*frame)[other], corners[other]);
   keepPicture(view, "implied-grid");
   state.undo();
   QVERIFY(again(state));

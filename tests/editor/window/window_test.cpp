@@ -102,8 +102,8 @@ void collectCutChoices(const QComboBox& box, QStringList& cut) {
 void collectCutHeadings(const QHeaderView& header, QStringList& cut) {
   if (!header.isVisible() || header.orientation() != Qt::Horizontal) return;
   const QString table = header.parentWidget()->objectName();
-  const bool shortens =
-      dynamic_cast<const ShorteningHeader*>(&header);  // shortened headings have the whole text as a tool tip
+  // shortened headings have the whole text as a tool tip
+  const bool shortens = dynamic_cast<const ShorteningHeader*>(&header);
   for (int i = 0; i < header.count() && !shortens; ++i)
     if (header.sectionSizeHint(i) > header.sectionSize(i) + 1 && !header.isSectionHidden(i))
       cut << QString("%1: heading \"%2\"")
@@ -1548,8 +1548,8 @@ class WindowTest : public QObject {
     QVERIFY(plot);
     QCOMPARE(plot->plottable(0)->pen().color(), colors.press);
     for (int i = 0; i < plot->plottableCount(); ++i)
-      QVERIFY(plot->plottable(i)->pen().color() !=
-              colors.release);  // the release's colour means a stroke, so no plot may have it
+      // the release's colour means a stroke, so no plot may have it
+      QVERIFY(plot->plottable(i)->pen().color() != colors.release);
   }
 
   // The desktop turns dark and light again while the editor runs: every open window follows, and what it says

@@ -608,8 +608,8 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
   labels.insert(labels.end(), 20, labels.front());
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);  // one misprint among many
-  leaves.hints.frame = {{100, 100},
-                        {500, 500}};  // the user gave the frame: the result is accepted, and the remark stays
+  // the user gave the frame: the result is accepted, and the remark stays
+  leaves.hints.frame = {{100, 100}, {500, 500}};
   CHECK(leaves.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
 }
 

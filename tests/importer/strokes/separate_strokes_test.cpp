@@ -179,8 +179,8 @@ TEST_CASE("A release that drops later than the press is another switch's", "[str
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
   const auto picksAColour = [](const Remedy& remedy) { return remedy.kind == RemedyKind::pickPress; };
-  CHECK(std::ranges::none_of(found.failure().remedies,
-                             picksAColour));  // both curves are black, so a colour does not tell them apart
+  // both curves are black, so a colour does not tell them apart
+  CHECK(std::ranges::none_of(found.failure().remedies, picksAColour));
   const auto inTwo = separate({dropping(1.2, 0.2, black), dropping(1.8, 0, red)});
   REQUIRE_FALSE(inTwo.ok());
   CHECK(std::ranges::any_of(inTwo.failure().remedies, picksAColour));

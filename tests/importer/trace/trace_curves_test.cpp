@@ -1706,8 +1706,8 @@ TEST_CASE("A sample may have its curve's marker in the middle, and a box behind 
   const Rgb slate{44, 62, 80};
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, slate, true);
-  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal,
-            true);  // a curve without a name in the legend
+  // a curve without a name in the legend
+  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal, true);
   const double x = plot.box().x0 + 120;
   for (const double y : {60.0, 80.0}) plot.line({{x, y}, {x + 26, y}}, 2, y > 70 ? slate : kRed);
   // Names behind their legend keys, or before them.

@@ -583,8 +583,8 @@ TEST_CASE("session: a person's answer to what was not felt is not kept; what was
     REQUIRE(session);
     Answer answer = simulatedAnswer(*made.study, "P01", *session->trial(), {});
     for (Felt* felt : {&answer.felt[0], &answer.felt[1], &answer.feltX}) {
-      const Felt kept =
-          std::exchange(*felt, {1, 0, 1.2, 0.4});  // a press that began but did not reach the bottom
+      // a press that began but did not reach the bottom
+      const Felt kept = std::exchange(*felt, {1, 0, 1.2, 0.4});
       CHECK_FALSE(session->record(answer));
       *felt = kept;
     }
