@@ -13,7 +13,7 @@ namespace detent::importer {
 
 /// Where a text comes from.
 enum class TextSource {
-  exact,      ///< a document's own text or a table's cell: letters are what they are
+  exact,      ///< a document's own text or a table's cell: letters are certain
   recognised  ///< read off pixels: letters may be wrong
 };
 

@@ -41,7 +41,8 @@ struct KnownWords {
   };
   std::vector<Word> words;
   std::size_t unknown = 0;  ///< number of unknown words beside these
-  bool headFirst = false;  ///< of a language whose compound nouns begin with what they are: "force de charge"
+  /// true in a language whose compound nouns begin with their head: "force de charge"
+  bool headFirst = false;
   bool has(ColumnWord meaning) const;
 };
 KnownWords knownWordsIn(std::string_view text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The columns of numbers in a table: where they begin and end, what stands above, beside and behind them.
+// The columns of numbers in a table: their first and last row, and the texts above, beside and behind them.
 
 #include <cstddef>
 #include <optional>

@@ -29,9 +29,9 @@ struct FoundStroke {
   bool cutBefore = false;  ///< not joined to the stroke before it in the file
 };
 
-/// Where the rows of a column are cut, and what the parts are called.
+/// Cuts between the rows of a column, and names of the parts.
 struct Cuts {
-  std::map<std::size_t, std::string> at;           ///< data row: name of what begins there
+  std::map<std::size_t, std::string> at;           ///< data row: name of the part that begins there
   std::vector<std::optional<Stroke>> strokeOfRow;  ///< empty: no row names a stroke
 };
 
@@ -128,8 +128,8 @@ class RecordFormer {
     for (const CurvePoint& p : calm)
       together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
     const double sign = made_.forcesTurned ? -1 : 1;
-    // A dome that collapses has most of its force in the first half of its travel: only what ends softer than
-    // it began runs backwards.
+    // A dome that collapses has most of its force in the first half of its travel, so only a press that ends
+    // softer than it began runs backwards.
     made_.displacementTurned = sign * together < 0 && sign * forceAtEnds(calm) < 0;
     for (auto& run : runs)
       for (Sample& each : run) {

@@ -20,7 +20,7 @@ namespace {
 
 using Columns = std::vector<std::size_t>;  // positions in DataTable::columns
 
-constexpr double kNamed = 2;        // log-likelihood from which on a column is called what it is
+constexpr double kNamed = 2;        // log-likelihood from which a column counts as named
 constexpr double kPossible = -1.5;  // log-likelihood down to which a column may be one
 
 /// The column that a person gave by number or title; nullopt: none is called so.
@@ -231,7 +231,7 @@ class Interpreter {
     for (const auto& [given, force] : {std::pair(givenX_, false), {givenF_, true}})
       if (given && column(*given).unit.kind == ColumnUnit::Kind::other && result_.unknownUnit.empty())
         result_.unknownUnit = column(*given).unit.text, result_.unknownUnitOfForce = force;
-    // A constant column measures nothing; said as what it is.
+    // A constant column measures nothing, and the reason names it.
     const auto moves = [&](const Columns& all) {
       return std::ranges::any_of(all, [&](std::size_t c) { return !column(c).isConstant(); });
     };
@@ -259,8 +259,8 @@ class Interpreter {
     if (!givenF_) dropCopies(fs_, true);
   }
 
-  /// Leaves out what is a second form of another column: the same in another unit, peak hold, filtered,
-  /// bounds around a mean, parts of a total, an axis that stands still.
+  /// Leaves out other forms of a column: the same in another unit, peak hold, filtered, bounds around a
+  /// mean, parts of a total, an axis that stands still.
   void dropCopies(Columns& all, bool force) {
     const auto strokeOf = [&](std::size_t c) { return columnStroke(c); };
     const auto erase = [&](auto is) {

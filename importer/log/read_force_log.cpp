@@ -497,8 +497,8 @@ class LogReader {
            std::ranges::any_of(data.columns, [](const DataColumn& each) { return !each.title.empty(); });
   }
 
-  /// A column of one record that is taken for what its title does not say: a question, which is left in
-  /// `reading_`.
+  /// A question if a column of a record is used although its title does not name that quantity; it is left
+  /// in `reading_`.
   std::optional<Message> unknownName(const LogInterpretation& made, const DataTable& data) {
     if (made.groups.size() != 1) return {};
     const DataColumn &x = data.columns[made.groups.front().displacement],
@@ -607,7 +607,7 @@ class LogReader {
     for (std::size_t i = 0; i < records.size() && !wanted.empty(); ++i)
       if (wanted == std::to_string(i + 1)) return taken(records, i);
     if (wanted.empty()) {
-      // Cycles of one switch that differ by less than what makes another button are one.
+      // Cycles of one switch count as one record if they differ by less than two buttons would.
       const bool alike = std::ranges::all_of(
           records, [&](const LogRecord& each) { return differenceOf(records.front(), each) < kSameButton; });
       if (alike) {
@@ -763,7 +763,7 @@ class LogReader {
       if (*contact_mm) **contact_mm -= shift_mm;
   }
 
-  /// Takes off what lies before a place; a press begins there without force.
+  /// Removes the part before a displacement; a press begins there without force.
   static void cutBefore(std::vector<CurvePoint>& stroke, double place_mm, bool isPress) {
     if (stroke.empty()) return;
     std::vector<CurvePoint> kept;

@@ -85,7 +85,7 @@ enum class ColumnKind { other, travel, force, contact };
 struct NamedColumn {
   ColumnKind kind = ColumnKind::other;
   std::optional<Stroke> stroke;
-  std::string name;  // what is left of the heading: which switch
+  std::string name;  // rest of the heading: name of the switch
   LengthUnit unit = LengthUnit::millimetre;
 };
 

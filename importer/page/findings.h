@@ -65,9 +65,9 @@ enum class DoubtCode {
   severalSwitches,    ///< number of switches, their numbers, names and colours
   strokesAlike,       ///< colours of the two
   releaseAbovePress,  ///< share of their travel
-  // what no step sees alone, docs/develop/decisions/0805-doubts.md
+  // found by no single step, docs/develop/decisions/0805-doubts.md
   unitMissing,    ///< axis, unit that would be taken
-  otherQuantity,  ///< axis, what it measures as printed
+  otherQuantity,  ///< axis, its quantity as printed
   axesExchanged,
   implausibleTravel,  ///< mm
   implausibleForce,   ///< N
@@ -137,7 +137,7 @@ enum class RemarkCode {
   // levels that read twice, limits on time
   secondReadingTaken,  ///< message: result of the first reading, or why it failed
   endedByTimeLimit,    ///< seconds
-  // what the page shows beyond what was read
+  // printed on the page but not in the result
   operatingPointNotPlaced,  ///< the plot names one
   resetPointNotPlaced,      ///< the same
   releaseNotDrawn           ///< the press was drawn by hand, its release was not

@@ -57,7 +57,7 @@ struct Page {
   std::vector<TextBox> texts;
   std::vector<VectorPath> paths;
   std::vector<PlacedImage> images;
-  std::vector<Remark> remarks;  ///< what of the page could not be read
+  std::vector<Remark> remarks;  ///< parts of the page that could not be read
   Raster overview;  ///< the whole page; pictures: the picture itself, documents: a render for finding graphs
   Affine overviewToPage;
 };

@@ -43,7 +43,7 @@ enum class Sight {
 /// Tracks visibility while a page is processed in drawing order.
 class Visibility {
  public:
-  /// `drawn`: false for what is set invisibly, as the text of scans is.
+  /// `drawn`: false for invisible text, such as the text of scans.
   void letter(const SetLetter& letter, bool drawn);
   /// Records a filled area. `hides`: the area conceals everything below it; hidden paths are removed from
   /// `paths`.

@@ -41,9 +41,9 @@ struct CurveChoiceOptions {
   double secondStrand = 0.18;
   double haloStrength = 0.6;  ///< of the line's contrast; a paler line along it is its halo
   double tintStrength = 0.8;  ///< the same for a halo of the line's own hue
-  double fillWidth = 0.02;    ///< share of the frame's smaller side; what is wider everywhere is no line
-  double fillShare = 0.5;     ///< of a colour's pixels in such wide places; more is a band or a filled area
-  double haloAlong = 0.9;     ///< share of a halo's path that lies on its line
+  double fillWidth = 0.02;  ///< share of the frame's smaller side; a mark that is wider everywhere is no line
+  double fillShare = 0.5;   ///< of a colour's pixels in such wide places; more is a band or a filled area
+  double haloAlong = 0.9;   ///< share of a halo's path that lies on its line
 };
 
 /// A legend key: a short horizontal line of one colour, isolated, beside a row of text.

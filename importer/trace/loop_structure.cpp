@@ -484,7 +484,8 @@ bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& fr
          std::max(left, right) >= headTimes * shaft;
 }
 
-/// Removes arrows that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
+/// Removes arrows that touch nothing. An arrow that touches the plot's lines is kept, because it may be a
+/// piece of a curve that they cut.
 void fadeArrows(Plane& curveCoverage, Plane& explained, float level, double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveCoverage, 0.3F);
   cv::Mat lines = matOf(explained) > 0.3F * level;

@@ -68,8 +68,8 @@ GivenColours addGivenColours(std::vector<PaletteColour>& palette, const TraceHin
   return given;
 }
 
-/// Cuts a beginning that falls along the force axis: a stroke starts at rest and rises; what falls there is
-/// the axis, which rotation smears into the curve's colour.
+/// Cuts a beginning that falls along the force axis. A stroke starts at rest and rises, so the falling part
+/// is the axis, which rotation smears into the curve's colour.
 void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   constexpr double within_px = 4, leastShare = 0.02;  // of the frame's height
   const Point topLeft = frame.corners[0], bottomLeft = frame.corners[3];

@@ -143,8 +143,7 @@ double peakMemory_MB() {
   return match.hasMatch() ? match.captured(1).toDouble() / 1024 : 0;
 }
 
-/// A thread with nothing to do but to wake every 2 ms: what it comes late is the machine's doing, not the
-/// dialogue's.
+/// A thread that only wakes every 2 ms: its lateness is caused by the machine, not by the dialogue.
 class IdleThread {
  public:
   IdleThread()

@@ -75,7 +75,7 @@ bool isSame(const Named& a, const Named& b) {
   return commonMaker || (a.model.size() > 1 && !(a.maker.empty() && b.maker.empty())) || a.model.size() > 2;
 }
 
-/// One record of the one laboratory, with what it differs by from every record of the other.
+/// One record of one laboratory, with its differences to every record of the other.
 struct Query {
   std::vector<std::vector<FeelDifference>> to;
   std::vector<std::size_t> same;
@@ -187,8 +187,8 @@ struct Method {
   std::function<std::vector<FeelDifference>(std::vector<FeelDifference>, double way)> of;
 };
 
-/// By how much one laboratory's forces lie above the other's on the same switch: median over the pairs but
-/// one, to half a gf, so that no pair has a say in what it is judged by.
+/// Difference between the forces of two laboratories on the same switch: median over all other pairs, to
+/// half a gf, so that no pair influences its own judgement.
 double levelBetween_gf(const std::vector<Pair>& there) {
   std::set<double> halves;
   for (std::size_t left = 0; left < there.size(); ++left) {

@@ -69,7 +69,7 @@ std::vector<Scene> scenes() {
   return all;
 }
 
-/// Largest force over what is allowed, from the fault on; 0: never.
+/// Largest excess over the allowed force, from the fault on; 0: never.
 double excess_N(const Scene& scene) {
   double most_N = 0;
   for (std::size_t k = 0; k < scene.force_N.size(); ++k) {

@@ -23,7 +23,7 @@ using detent::tests::TerminalProgram;
 
 namespace {
 
-/// Sends what `counts` says 400 times a second, time since its start in s.
+/// Sends the value of `counts` 400 times a second; its argument is the time since the start in s.
 class Sensor {
  public:
   using Counts = std::function<double(double time_s)>;

@@ -144,8 +144,8 @@ class SimulatedTransducer {
   JackListener listener_;  // last member, because it calls move
 };
 
-/// The page's command lines: what is indented and begins with detent-play, with `port` in the place of the
-/// board's.
+/// The page's command lines: indented lines that begin with detent-play, with `port` in place of the board's
+/// port.
 std::vector<std::vector<std::string>> commandsOfThePage(const std::string& port) {
   std::ifstream page(DETENT_SOURCE_DIR "/docs/guide/first-button.md");
   std::vector<std::vector<std::string>> commands;

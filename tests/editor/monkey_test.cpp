@@ -236,7 +236,7 @@ class Monkey {
     rig_.settings.setSnap(snap);
   }
   void fit() { rig_.workspace.canvas().fit(); }
-  // Keeps the curves from growing beyond what a hand makes.
+  // Keeps the curves from growing beyond the work of a hand.
   void tidy() {
     if (rig_.document.history().dragging() || rig_.press().knots().size() < 40) return;
     if (const auto linear = editGraph(

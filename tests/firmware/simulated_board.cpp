@@ -41,7 +41,7 @@ void quiet(avr_t*, const int, const char*, va_list) {}
 }  // namespace
 
 struct SimulatedBoard::Outside {
-  std::map<char, std::pair<unsigned, unsigned>> ports;  ///< which pins, at what levels
+  std::map<char, std::pair<unsigned, unsigned>> ports;  ///< pins of each port, and their levels
 };
 
 SimulatedBoard::SimulatedBoard(const BoardKind& kind, const std::string& elfFile)

@@ -82,7 +82,7 @@ class SimulatedBoard {
   std::uint32_t addressOf(const std::string& name) const;
   void notePwmEdge(bool high);
 
-  struct Outside;  ///< what drives the pins
+  struct Outside;  ///< signals that drive the pins
 
   const BoardKind& kind_;
   avr_t* avr_ = nullptr;

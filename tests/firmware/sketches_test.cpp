@@ -255,7 +255,7 @@ TEST_CASE("force1d: ignores every line that the protocol does not have") {
     CHECK(board.take().empty() == !row.obeyed);
     CHECK((board.duty() > 0) == row.obeyed);
   }
-  // Lines run into each other: what is cut off costs one line, not two.
+  // Lines run into each other: the cut-off line is lost, and no other.
   board.ask("F,3,0");
   board.take();
   board.send(std::string(300, 'F') + "\n" + lineOf("F,4,1000000"));
@@ -370,7 +370,7 @@ TEST_CASE("force1d: runs its table at the rate it says, with the time between tw
     }
     CHECK(board.force_N() ==
           Approx(0.2).margin(0.015));  // released: at G the operator stands at its release end
-    // The steps of the law, counted from outside, beside what it says.
+    // steps of the law, counted from outside, to compare with its own count
     int steps = 0;
     std::uint32_t last = board.variable("lastLaw_us", 4);
     for (int i = 0; i < 100; ++i) {

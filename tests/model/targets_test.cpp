@@ -233,7 +233,8 @@ TEST_CASE(
   CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("bottom-out would begin elsewhere"));
 }
 
-// 5 mm times what the travel grows by may be a rounding error more than the travel: these values hit that.
+// These values hit a case where 5 mm times the growth of the travel is a rounding error more than the
+// travel.
 TEST_CASE("damping ends with the travel, whatever that is rounded to") {
   const std::vector<Sample> all = samples();
   const auto push = std::ranges::find_if(all, [](const Sample& each) { return each.name == "push"; });

@@ -56,7 +56,7 @@ struct PredictedPair {
   double probabilityApart = 0;      ///< probability of at most one error in ten
   StrokeDifference press, release;  ///< mean over the presses
   bool onPress = true;              ///< which stroke says more
-  Cue cue = Cue::strength;          ///< and by what
+  Cue cue = Cue::strength;          ///< and the cue that differs most
 
   double errorsPer90() const { return 90 * shareOfErrors; }
   double leastErrorsPer90() const { return 90 * leastShareOfErrors; }

@@ -512,7 +512,7 @@ class FeelPanelTest : public QObject {
     QVERIFY(play->isEnabled());
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY(rig.status().contains("no sound output is there"));
-    rig.pressToTheEnd();  // what could not be played does not hold the button
+    rig.pressToTheEnd();  // a refused playback does not hold the button
     QCOMPARE(rig.deepest(), 4.0);
     QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
     QTRY_VERIFY(!play->isEnabled());

@@ -846,8 +846,8 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
                    press.end_mm()) < 0.02 * length);
 }
 
-// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is
-// ended.
+// A message appears while a curve is drawn: the page must not move under the pointer until the curve is
+// finished.
 void ImportDialogTest::thePageLiesStillUnderAGesture() {
   ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
@@ -962,7 +962,7 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
            qPrintable(QString::number(peaks[0].displacement_mm)));
 }
 
-// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old
+// An answer that arrives before the user types an end of an axis must not put the typed text behind the old
 // value.
 void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   ViewSettings settings;

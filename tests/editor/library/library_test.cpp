@@ -232,7 +232,7 @@ class LibraryTest : public QObject {
     QTest::qWait(80);
   }
 
-  /// 1366 x 768 at scale 2: six buttons scroll, and what is done with them stays in reach.
+  /// 1366 x 768 at scale 2: six buttons scroll, and their controls stay visible.
   void sixAreComparedOnASmallScreen() {
     ViewSettings settings;
     ButtonDocument a(*tactileButton()), b(*linearButton());

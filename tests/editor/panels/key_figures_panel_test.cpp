@@ -83,7 +83,7 @@ class KeyFiguresPanelTest : public QObject {
   void namesStayBesideWhatIsKept();
 };
 
-// A narrow panel: who ticks what is kept sees what it is.
+// In a narrow panel the name of a ticked figure stays visible.
 void KeyFiguresPanelTest::namesStayBesideWhatIsKept() {
   WorkspaceRig rig(tactile());
   KeyFiguresPanel panel(rig.document, rig.settings);
@@ -322,7 +322,7 @@ void KeyFiguresPanelTest::eightFiguresComeFirst() {
   QCOMPARE(requested.size(), 1);
 }
 
-// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says
+// Clicks and types digits in every cell: only the figure of that row may change, and a refused value says
 // why.
 void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   using enum KeyFigure;
@@ -367,7 +367,7 @@ void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   QVERIFY(model.absenceOf(cell(model, preTravel, KeyFiguresModel::now)).contains("Ctrl+Shift+O"));
   rig.document.history().apply(require(setOperatingPoint(rig.button(), 0, 1.6)), "operating point");
   QVERIFY(model.absenceOf(cell(model, preTravel, KeyFiguresModel::now)).isEmpty());
-  // Both columns have one set of rules: what one refuses, the other refuses, too.
+  // Both columns have the same rules: a value that one refuses, the other refuses, too.
   for (const char* text : {"-1 cN", "2 cN", "70 cN"}) {
     WorkspaceRig same(require(tactileButton()));
     KeyFiguresPanel bothStates(same.document, same.settings);

@@ -369,8 +369,8 @@ void PanelsTest::typingIntoACellThatCannotBeEditedChangesNothing() {
   QVERIFY(tried > 20);
 }
 
-// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden
-// table seemed to have.
+// The panel is made before it is shown, as a dock's panel is: names get the width that the numbers leave,
+// not that of a hidden table.
 void PanelsTest::namesTakeWhatTheNumbersLeave() {
   WorkspaceRig rig(require(twoLevelButton()));
   QWidget dock;
@@ -437,7 +437,7 @@ void PanelsTest::readValuesHaveTheDigitsTheirErrorLeaves() {
   QCOMPARE(cell(model, tactile, ValuesModel::displacement).data().toString(), QString("1.235"));
 }
 
-// Cells of the table and fields of a dialogue: what they show is typed back, and a number means the same.
+// Cells of the table and fields of a dialogue accept their own text, and a number keeps its meaning.
 void PanelsTest::everyFieldReadsTheSameInEveryLocaleAndUnit() {
   for (const char* locale : {"C", "de_DE", "fr_FR", "en_IN"})
     for (const LengthUnit length : {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch})

@@ -147,7 +147,8 @@ class FieldsTest : public QObject {
     QStringList refused{"1,250.5", "1 250", "1'250", "about two", "5 +", "nan", "5 apples"};
     refused << (field.quantity() == Quantity::length ? "5 gf" : "5 mm");
     for (const QString& text : refused) {
-      // Pasted: what is typed is read letter by letter, and "1,250" on the way to "1,250.5" is a number.
+      // Pasted, because typed text is read letter by letter, and "1,250" on the way to "1,250.5" is a
+      // number.
       auto* edit = field.findChild<QLineEdit*>();
       edit->setText(text);
       emit edit->textEdited(text);

@@ -141,7 +141,7 @@ class UnaskedTest : public QObject {
     isUnchanged(before, "a cell, a moment later,");
   }
 
-  /// Ticked and unticked again: neither changes the button, and the second restores what was noted.
+  /// Ticks and unticks every box: neither changes the button, and the second restores the first state.
   void visitTicks() {
     for (auto* box : window_->findChildren<QCheckBox*>()) {
       if (!box->isVisible() || !box->isEnabled() || isInDock(*box, "feelArea")) continue;

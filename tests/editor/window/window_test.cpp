@@ -729,7 +729,7 @@ class WindowTest : public QObject {
     QVERIFY(rig.document().title().contains("Mean of 3"));  // not the name of one of them
   }
 
-  // Presets fill in, changes stay, and what cannot be drawn cannot be exported.
+  // Presets fill in the fields, later changes stay, and a graph that cannot be drawn cannot be exported.
   void choosesHowAGraphIsPrinted() {
     const Button button = *readButton((sample("buttons/C.button.json")).toStdString());
     GraphExportDialog dialog(button, {});
@@ -913,7 +913,7 @@ class WindowTest : public QObject {
     QCOMPARE(rig.prompts.unexpected, 0);
   }
 
-  // Whatever has the focus: a key that the list of shortcuts names does what the list says.
+  // Keys named in the list of shortcuts work with every focus.
   void listedKeysWorkWhereverTheFocusIs() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
@@ -1552,8 +1552,8 @@ class WindowTest : public QObject {
       QVERIFY(plot->plottable(i)->pen().color() != colors.release);
   }
 
-  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says
-  // can be read.
+  // The desktop turns dark and light again while the editor runs: the texts of every open window stay
+  // readable.
   void theDesktopsChangeOfThemeIsFollowed() {
     bool dark = false;
     Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });
@@ -1602,7 +1602,7 @@ class WindowTest : public QObject {
     }
   }
 
-  // The graph is what a window is opened for.
+  // The graph has most of the window.
   void theGraphOwnsTheWindow() {
     Rig rig(folder_->path());
     rig.window->resize(1366, 768);

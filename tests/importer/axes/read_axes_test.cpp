@@ -700,7 +700,7 @@ TEST_CASE("a row of numbers without ticks makes a scale by itself where it is wh
   auto looked = readWithoutCurves(s);
   looked.frame.xLines.clear(), looked.frame.yLines.clear();
   writeBelow(looked.view, s), writeLeft(looked.view, s);
-  // Units by hand: what is certain here are the scales.
+  // Units given by hand: this test is about the scales.
   AxisHints units;
   units.xUnit = LengthUnit::millimetre, units.yUnit = ForceUnit::newton;
   const auto sure = [&] { return readAxes(looked.view, looked.frame, units)->calibration.confidence; };
@@ -731,7 +731,7 @@ TEST_CASE("a misread label is kept, marked as not used") {
 
 namespace {
 
-/// The axes with what stands in the plot and beside it; `before`: texts that were read earlier.
+/// Reads the axes and the texts in and beside the plot; `before`: texts that were read earlier.
 Result<AxesFound> readWithTexts(const cv::Mat& grey, const std::vector<SeenText>& before = {}) {
   const auto looked = readingOfWhole(grey);
   auto axes = readAxes(looked.view, looked.frame);

@@ -173,7 +173,8 @@ TEST_CASE("the nearest stands first, in units of lab noise") {
   REQUIRE(nearest.size() == 6);
   CHECK(nearest[0].entry.name == "spring 50");
   CHECK(*nearest[0].distance_labNoise < 1e-3);
-  // 10 gf on both strokes, times the weight of the level, less what a shift of the contact explains of it.
+  // 10 gf on both strokes, times the weight of the level, less the part that a shift of the contact
+  // explains.
   const auto softer =
       std::ranges::find_if(nearest, [](const FoundSwitch& each) { return each.entry.name == "spring 40"; });
   REQUIRE(softer != nearest.end());
@@ -447,7 +448,8 @@ TEST_CASE("another meter's zero of travel and preload do not make another switch
   };
   const FeelDistance distance(shapeOf(0.1, 0, 3.4));
   CHECK(distance.to(shapeOf(0.1, 0, 3.4)) < 1e-6);
-  CHECK(distance.to(shapeOf(0.24, 2, 3.3)) < 1.2);  // the rest is what a shift, a level and a travel cost
+  CHECK(distance.to(shapeOf(0.24, 2, 3.3)) <
+        1.2);  // the rest is the distance of a shift, a level and a travel
   CHECK(distance.to(shapeOf(0.1, 0, 3.0)) > 1.5);
   CHECK(distance.to(shapeOf(0.1, 10, 3.4)) > 3);
   FeltShape pressOnly = shapeOf(0.1, 0, 3.4), tiny = shapeOf(0.1, 0, 1e-6);

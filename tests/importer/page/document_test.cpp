@@ -339,7 +339,7 @@ std::vector<Point> lineOf(const std::string& element, const std::string& attribu
 }  // namespace
 
 TEST_CASE("a list of points in an SVG ends at its first error") {
-  // MuPDF never came back from what stands behind "30,40".
+  // MuPDF does not return from the text behind "30,40".
   for (const std::string rest : {"", " x", " -,+ .", " %,2", " &#97; 5,6", " nan,1"}) {
     INFO(rest);
     const std::vector<Point> line = lineOf("polyline", "points='1e1,+20 30,40" + rest + "'");

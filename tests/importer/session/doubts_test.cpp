@@ -477,8 +477,8 @@ TEST_CASE("one of two curves is called something that is no stroke, and the othe
   import.hints.trace.pressColor = import.traces[0].color;
   CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
   import.hints.trace.pressColor.reset();
-  // A stroke's word, what every curve may be called, a program's own name, and two names, of which a legend's
-  // rules judge.
+  // A stroke's word, a word of every curve, a program's own name, and two names, which the rules for legends
+  // judge.
   for (const char* name : {"Release", "Force", "Series 2", ""}) {
     import.traces[1].label = name;
     CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));

@@ -262,7 +262,7 @@ TEST_CASE("loop: strokes that merge to one band keep their own sides", "[trace_l
   REQUIRE(result.ok());
   REQUIRE(result->size() == 2);
   checkLoop(plot, loop, 0.45);
-  // On the merged stretch the press stays above the release by about what was drawn.
+  // On the merged stretch the press stays above the release by about the drawn distance.
   const auto rowAt = [&](const CurveTrace& t, double x) {
     double y = 0, best = 1e9;
     for (Point p : t.points_px)

@@ -144,8 +144,8 @@ TEST_CASE("force stop: hold-to-run gives force while the key repeats and takes i
 
 namespace {
 
-/// A pty whose other end is answered between two exchanges, on the same thread: what the exchange reads waits
-/// there already.
+/// A pty whose other end is answered between two exchanges, on the same thread, so that each exchange finds
+/// its answer waiting.
 class AnsweredPty {
  public:
   AnsweredPty() {

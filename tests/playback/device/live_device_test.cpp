@@ -161,7 +161,7 @@ TEST_CASE("live: a stream that closes lets a callback come to its end, however l
   CallbackHooks slow;  // some cycles long: libjack gives up waiting, and cancels the thread it runs on
   slow.enter = [] {
     ++entered;
-    const std::string unwound(100, 'x');  // what a cancelled thread has to destroy
+    const std::string unwound(100, 'x');  // an object that a cancelled thread has to destroy
     for (const double end_s = now_s() + 0.04; now_s() < end_s && !unwound.empty();) {
     }
   };

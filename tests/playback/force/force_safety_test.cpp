@@ -38,7 +38,7 @@ Button longSpring() {
   return *button;
 }
 
-/// An engine on readings that a test makes up. Holds after every step what must always hold.
+/// An engine on readings that a test makes up. Checks after every step the rules that must always hold.
 class Watched {
  public:
   explicit Watched(double rate_Hz = 1000)

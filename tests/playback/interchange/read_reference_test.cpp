@@ -99,7 +99,7 @@ TEST_CASE("An AHAP curve multiplies the intensity and is kept behind its last po
 
 namespace {
 
-/// Four seconds at full intensity, shaped by what else the pattern holds.
+/// Four seconds at full intensity, shaped by the rest of the pattern.
 std::string shaped(const std::string& rest) {
   return ahap(
       R"({"Event": {"Time": 0, "EventType": "HapticContinuous", "EventDuration": 4, "EventParameters": [

@@ -127,7 +127,7 @@ TEST_CASE("sweep: of a recorder whose full scale is known, the device's level ab
   for (std::size_t i = 700; i < recorded.size(); ++i) recorded[i] = static_cast<float>(0.1 * x[i - 700]);
   const auto response = analyseSweep(played, recorded, settings);
   REQUIRE(response);
-  // Full scale of the device is 0.1 of the recorder's 250 m/s2: a hundred times what is just felt.
+  // Full scale of the device is 0.1 of the recorder's 250 m/s2: a hundred times the threshold of touch.
   CHECK(fullScaleLevel_dB(*response, settings, 250) == Approx(40).margin(0.3));
 }
 

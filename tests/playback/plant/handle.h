@@ -46,18 +46,18 @@ struct Intent {
 };
 using Plan = std::function<Intent(double time_s)>;
 
-/// Where every millijoule went since the start. What is put in is what is stored and lost, to rounding.
+/// Energy flows since the start. The energy put in equals the stored and lost energy, to rounding.
 struct EnergyAccount {
   double muscle_mJ = 0;  ///< work of the muscle on the fingertip
   double motor_mJ = 0;   ///< work of the motor on the handle
   double finger_mJ =
-      0;  ///< work of the fingertip on the handle: what a person puts into the button and the device
+      0;  ///< work of the fingertip on the handle: the person's contribution to button and device
   double viscous_mJ = 0, friction_mJ = 0, pulp_mJ = 0, stops_mJ = 0;  ///< lost, each >= 0
-  double stored_mJ = 0;  ///< kinetic and in the pulp, less what there was at the start
+  double stored_mJ = 0;  ///< kinetic and in the pulp, less the energy at the start
   double residual_mJ() const {
     return muscle_mJ + motor_mJ - viscous_mJ - friction_mJ - pulp_mJ - stops_mJ - stored_mJ;
   }
-  double turnover_mJ = 0;  ///< sum of the sizes of all flows: what the residual is measured against
+  double turnover_mJ = 0;  ///< sum of the sizes of all flows: the scale of the residual
 };
 
 /// A handle with a finger on it. Implicit midpoint with the pulp's exact mean force over a step, so that

@@ -51,7 +51,7 @@ LatchRun pressLatch(const playback::ForceProgram& program, Chance& chance) {
     const auto now = static_cast<std::size_t>(std::max(0.0, (step.time_s - press.wait_s) / press.every_s));
     if (now != number) changes = 0;
     number = now;
-    // Until the step before: the one that actuates already has the force of what comes after.
+    // Until the step before: the step that actuates already has the force of the next state.
     if (step.actuated && !actuated) run.actuations.push_back({step.state, strongest_N, number});
     strongest_N = step.finger_N > 0 ? std::max(strongest_N, step.command_N) : 0;
     if (step.state != state) {

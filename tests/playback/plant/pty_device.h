@@ -48,7 +48,7 @@ class PtyDevice {
 
   /// Path of the port, the same after it has been unplugged and plugged in again.
   const std::string& port() const { return port_; }
-  /// Ends the device's thread; what it has recorded may be read from then on.
+  /// Ends the device's thread; its records may be read from then on.
   void halt();
   const std::vector<PtyMoment>& moments() const { return moments_; }
   /// Received lines, without their ends.

@@ -117,8 +117,7 @@ TEST_CASE("guard: readings whose stamps run backwards are placed in the order th
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
   LiveSession session(48000);
   REQUIRE(session.send(Lane::control, programCommand(*program)));
-  for (int i = 0; i <= 4;
-       ++i)  // one reading in less than the delay of what is heard, so that nothing is late
+  for (int i = 0; i <= 4; ++i)  // one reading less than the output delay, so that nothing is late
     REQUIRE(session.send(Lane::trace, forceAt(TimeBase::streamFrames, 150.0 * i, 0.11 * i)));
   REQUIRE(session.send(Lane::trace, forceAt(TimeBase::streamFrames, 150, 0.65)));
   std::vector<float> out(block);

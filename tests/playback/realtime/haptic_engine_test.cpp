@@ -291,7 +291,7 @@ TEST_CASE("engine: full scale is never exceeded and stealing does not click") {
   CHECK(engine->counts().stolenVoices > 200);
   for (float v : out) REQUIRE(std::fabs(v) <= 1.0f);
 
-  // One long, quiet voice each: the step between samples never exceeds what the sines themselves can do.
+  // One long, quiet voice each: the step between samples never exceeds that of the sines themselves.
   program->gain = 1;
   const auto calm = std::make_unique<HapticEngine>(48000);
   calm->use(program.get());

@@ -14,7 +14,7 @@ using namespace detent::test;
 
 namespace {
 
-/// A finger's forces on a button, and what was counted.
+/// Applies a finger's forces to a button and counts the presses.
 class Finger {
  public:
   explicit Finger(const Button& button) : program_(std::make_unique<HapticProgram>(programOf(button))) {
