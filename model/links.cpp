@@ -129,8 +129,9 @@ bool shapes(const StrokeCurve& curve, std::size_t index) {
       middles_mm, [&](double mm) { return std::abs(without->force_N(mm) - curve.force_N(mm)) > rounding; });
 }
 
-// Where an edit of a curve took each displacement: linear between the knots that both forms have, and the
-// knots that it added. An added knot came from where the curve had its force, if that is one place.
+// Maps each displacement before an edit of a curve to its place after it: linear between the knots that both
+// forms have, and the knots that the edit added. An added knot came from where the curve had its force, if
+// that is one place.
 class MovedDisplacements {
  public:
   MovedDisplacements(const StrokeCurve& before, const StrokeCurve& after) {
@@ -152,7 +153,7 @@ class MovedDisplacements {
     const std::size_t i = pieceOf(at_mm, before);
     return (is_[i + 1] - is_[i]) / (was_[i + 1] - was_[i]);
   }
-  /// Where the knots that the edit added came from, as far as they shape the curve.
+  /// Displacements before the edit of the knots that it added, as far as they shape the curve.
   const std::vector<double>& added_mm() const { return added_mm_; }
 
  private:

@@ -51,8 +51,7 @@ struct Warning {
   std::string problem;    ///< sentence, without the place
   WarningPlace spot;      ///< the place as data
   double against =
-      0;  ///< what `value` is compared with (the other end, the operating point), mm; for speeds that of the
-          ///< press, mm/s
+      0;  ///< the value that `value` is compared with (the other end, the operating point), mm; for speeds that of the press, mm/s
   std::string sentence() const { return place + ": " + problem + "."; }
 };
 

@@ -16,7 +16,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int least_px = 270, mostOfLeast_px = 300;  // in a narrower window the panel scrolls sideways
-constexpr int usual_px = 340;                        // where there is room nothing has to wrap
+constexpr int usual_px = 340;                        // width from which no text has to wrap
 
 }  // namespace
 

@@ -74,7 +74,7 @@ class ScaleTool : public PageTool {
   struct Target {
     GraphAxis axis = GraphAxis::x;
     importer::Point at;
-    bool isOrigin = false;  ///< where both axes begin
+    bool isOrigin = false;  ///< true if both axes begin here
   };
 
   /// The other end of the gridline through the target.

@@ -143,7 +143,7 @@ QWidget* ComparePanel::figureSide() {
   column->addLayout(below);
   column->addWidget(distance_);
   column->addWidget(forecast_);
-  // Where there is no room for all of it, it scrolls.
+  // The content scrolls if it has too little room.
   auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Comparison table"));
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where a person says which measured switches are shown: words, kind, figures from … to ….
+// Chooses the measured switches that are shown: by words, kind, and figures from … to ….
 
 #include <memory>
 #include <optional>

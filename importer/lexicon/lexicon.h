@@ -11,7 +11,7 @@
 
 namespace detent::importer {
 
-/// Where a text comes from.
+/// Source of a text.
 enum class TextSource {
   exact,      ///< a document's own text or a table's cell: letters are certain
   recognised  ///< read off pixels: letters may be wrong
@@ -34,7 +34,7 @@ enum class WordKind {
   columnUnit
 };
 
-/// Where an entry may stand in a label.
+/// Position that an entry may have in a label.
 enum class WordForm {
   whole,      ///< a whole word
   end,        ///< "-kraft": the end of a longer word

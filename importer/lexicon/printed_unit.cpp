@@ -169,8 +169,8 @@ void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   if (unit.size() > 1 || letters >= fewest) out.push_back({std::string(unit), 0.9});
 }
 
-/// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the
-/// last word.
+/// Possible units in a title, surest first: in brackets; without any after a slash, after "in", as the last
+/// word.
 std::vector<Piece> pieces(const std::string& title) {
   const std::string t = withoutArrow(title);
   std::vector<Piece> out;

@@ -58,7 +58,7 @@ struct DataColumn {
 /// Takes a unit given by hand for the column's own, whatever the file says.
 void giveUnit(DataColumn& column, ColumnUnit unit);
 
-/// Where rows without numbers or blank rows interrupt the data.
+/// An interruption of the data by blank rows or rows without numbers.
 struct DataBreak {
   std::size_t row = 0;  ///< the data row after the break
   std::string text;     ///< of the rows between; empty: blank

@@ -61,7 +61,7 @@ struct LogReading {
   std::vector<ListedRecord> records;               ///< of the best interpretation
   std::vector<ExplainedInterpretation> best = {};  ///< at most three
   std::optional<Question> question =
-      {};  ///< where `log` is a Failure notCertain; its choices are not tried here
+      {};  ///< only if `log` is a Failure notCertain; its choices are not tried here
 };
 
 /// Returns true if a file is a table, a spreadsheet, JSON or TAR by its content; by its ending where it

@@ -21,7 +21,7 @@ struct LogRecord {
 /// Columns that belong together, as positions in DataTable::columns.
 struct ColumnGroup {
   std::size_t displacement = 0, force = 0;
-  std::optional<Stroke> stroke;  ///< where the columns hold one stroke alone
+  std::optional<Stroke> stroke;  ///< set if the columns hold one stroke alone
   std::string name;
 };
 

@@ -780,7 +780,8 @@ class LogReader {
     stroke = std::move(kept);
   }
 
-  /// Where a column of contact or voltage changes on the way down and back on the way up.
+  /// Reads contact points from a column of contact or voltage that changes on the way down and back on the
+  /// way up.
   void readContacts(const FileRecords& found, const LogInterpretation& made) {
     const DataTable& data = *found.data;
     const auto columnOf = [&](Stroke stroke) -> const DataColumn* {

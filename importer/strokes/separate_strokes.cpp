@@ -258,7 +258,8 @@ std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoint
 /// A stroke's largest drop of force over increasing displacement.
 struct Drop {
   double force_N = 0;
-  /// where most of it has happened: on the flat floor of a valley, noise decides which point is lowest
+  /// displacement at which most of the drop has happened: on the flat floor of a valley, noise decides which
+  /// point is lowest
   double valley_mm = 0;
 };
 

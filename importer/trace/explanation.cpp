@@ -412,7 +412,7 @@ bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std:
   return alone > leastShare * static_cast<double>(points.size());
 }
 
-/// Where a solid curve runs along a dashed line.
+/// Stretches on which a solid curve runs along a dashed line.
 std::vector<TraceJump> overDashes(const ExplainedPlot& plot) {
   constexpr double leastShare = 0.08;  // share of the diagonal
   const Box& frame = plot.area().frame;

@@ -169,8 +169,8 @@ double leftness(const std::vector<Point>& a, std::size_t a0, std::size_t a1, con
   return twiceAreaOf(ring);
 }
 
-/// Where one stroke ends on the other, the shorter one gets the rest of the longer one. Not on the force
-/// axis, where each stroke starts at its own force.
+/// Gives the shorter stroke the rest of the longer one if it ends on it. Not on the force axis, where each
+/// stroke starts at its own force.
 void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, double within,
               double axisColumn) {
   const Point end = shorter.back();

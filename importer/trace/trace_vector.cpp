@@ -90,7 +90,7 @@ bool pathLeadsBackFrom(const FoundStroke& press, const FoundStroke& other, const
 
 struct StrokesOfColour {
   std::vector<StyledStroke> strokes;
-  std::optional<FoundStroke> shortOne;  ///< where there is no stroke
+  std::optional<FoundStroke> shortOne;  ///< none if there is no stroke
   bool inDoubt = false;                 ///< parts of strokes, or strokes of two switches
 };
 

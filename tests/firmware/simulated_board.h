@@ -19,7 +19,7 @@ struct Pin {
   int bit = 0;
 };
 
-/// Where a board has what the sketches use.
+/// Addresses and pins of a board that the sketches use.
 struct BoardKind {
   const char* name = "";  ///< as build_sketch.sh takes it
   const char* mcu = "";

@@ -257,8 +257,8 @@ class LibraryTest : public QObject {
     QVERIFY(dialog.findChild<QWidget*>("comparePlot")->height() >= 100);
   }
 
-  /// Where there is little room: long names are shortened, the first two buttons stand side by side, numbers
-  /// of axes apart.
+  /// With little room long names are shortened, the first two buttons stand side by side, and numbers of
+  /// axes keep their distance.
   void aSmallScreenShowsBothSidesByTheirNames() {
     ViewSettings settings;
     const auto named = [](const Button& button, const char* name) {

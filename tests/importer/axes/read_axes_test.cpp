@@ -68,7 +68,7 @@ AxesFound read(const cv::Mat& grey, const AxisHints& hints = {}) {
   return std::move(axes).value();
 }
 
-/// Where the calibration thinks the drawn corners are, in pixels off.
+/// Largest distance, in pixels, of the calibration's corners from the drawn ones.
 double worstCornerError_px(const AxesFound& axes, const PlotStyle& s, double newtonPerUnit) {
   double worst = 0;
   const auto& c = axes.calibration.value;

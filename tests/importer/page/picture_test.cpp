@@ -260,7 +260,7 @@ TEST_CASE("EXIF orientation is applied and its resolution read") {
   const Bytes jpeg = encoded(".jpg", mat);
   struct Case {
     std::uint32_t orientation;
-    int width, darkX, darkY;  // where the dark corner is shown
+    int width, darkX, darkY;  // size as shown, and position of the dark corner
   };
   for (const Case& c : {Case{1, 32, 2, 2},
                         {2, 32, 29, 2},

@@ -524,8 +524,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   below.press = {{0, 0.5}, {0.4, 0.3}, {0.5, 0.3}, {0.6, 0.3}, {3, 0.8}, {3.2, 1.6}};
   CHECK(below.doubts().empty());
   below.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};  // from 0.3 N on
-  for (CurvePoint& p : below.press)
-    p.force_N -= 0.3;  // where they stand on the page; their forces do not matter here
+  for (CurvePoint& p : below.press) p.force_N -= 0.3;  // their place on the page matters, not their forces
   CHECK(below.doubted(DoubtCode::belowTheAxis));
 
   // First steep, so that only its end lies on the axis; then so far inside that the hidden part matters.

@@ -62,7 +62,7 @@ TEST_CASE("a frame is widened by as much as a step of its numbers, to the right 
     if (at > 100) axes.y.ticks.emplace_back().position_px = at;  // none above where the curve ends
   }
   CHECK(plot.isWidened());
-  plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 250;  // where the curve ends
+  plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 250;  // the end of the curve
   plot.graph.frame.value.corners[1].x = plot.graph.frame.value.corners[2].x = 560;
   const auto wider = widenedToItsCurves(plot.graph, plot.curves);
   REQUIRE(wider);

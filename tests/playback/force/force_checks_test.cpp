@@ -77,7 +77,7 @@ class Wired {
   const ForceProgram& program() const { return prepared_.program; }
 
   double motor = 1, encoder = 1, counts = 1;
-  double turnedAt_mm = 0;       ///< where `encoder` began to count the other way
+  double turnedAt_mm = 0;       ///< position from which `encoder` counts the other way
   double jitter = 0, lost = 0;  ///< of the readings: in periods, as a share
   double true_mm = 0, most_N = 0, time_s = 0;
   std::optional<double> stopped_mm;

@@ -258,7 +258,7 @@ TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it 
     });
     CHECK(cut == (format == ExportFormat::da728x || format == ExportFormat::openxr));
     CHECK(cut == written->loss.cut);
-    CHECK(written->loss.worstTimingError_ms <= 1);  // what the file keeps is in time
+    CHECK(written->loss.worstTimingError_ms <= 1);  // the kept part of the press is in time
   }
 }
 
