@@ -37,8 +37,8 @@ struct ResultBrief {
 
 /// One of several switches in a plot.
 struct SwitchChoice {
-  std::string
-      curve;  ///< value of Corrections::curve that takes this switch: its name, or its number if several have that name
+  /// value of Corrections::curve that takes this switch: its name, or its number if several have that name
+  std::string curve;
   const importer::PlotSwitch* itself = nullptr;  ///< lives as long as the result it came with
 };
 
@@ -48,8 +48,8 @@ struct ImportGraph {
   std::optional<importer::ListedGraph> listed;  ///< empty if framed by hand, and for a force meter's log
   QImage thumbnail;
   bool ticked = false;  ///< to be imported with the others
-  std::set<std::string>
-      tickedCurves;  ///< names or numbers (Corrections::curve) of the switches to be imported, if the graph has several
+  /// names or numbers (Corrections::curve) of the switches to be imported, if the graph has several
+  std::set<std::string> tickedCurves;
   bool confirmed = false;  ///< a person has checked the doubtful result against the page
   CorrectionHistory history;
 
