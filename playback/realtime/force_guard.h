@@ -125,10 +125,10 @@ class ForceGuard {
   double last_mm_ = 0, output_N_ = 0, gain_ = 0;
   bool started_ = false, stopping_ = false, running_ = false, tooFast_ = false;
   std::uint32_t bad_ = 0, good_ = 0;
-  double pace_mm_ = 0;                 ///< distance per period at the last good reading
-  double since_ = 0;                   ///< periods since the last good reading, including this one
-  double unseen_ = 0;                  ///< number of periods since then without information from the encoder
-  double jumps_ = 0;                   ///< recent absurd readings
+  double pace_mm_ = 0;  ///< distance per period at the last good reading
+  double since_ = 0;    ///< periods since the last good reading, including this one
+  double unseen_ = 0;   ///< periods since the last good reading without information from the encoder
+  double jumps_ = 0;    ///< recent absurd readings
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the position was accepted without proof
   bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
