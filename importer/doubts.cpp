@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "importer/axes/axis_labels.h"
 #include "importer/axes/button_sizes.h"
 #include "importer/axes/text_source.h"
 #include "importer/lexicon/printed_unit.h"
@@ -29,13 +30,13 @@ constexpr double unconfirmed = 0.4;   // the page does not say
 constexpr double inPart = 0.6;        // the reading is right but incomplete: reported, not refused
 
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke
-constexpr double leastTurn = 0.06;            // of the force span: a force meter's noise is smaller
-// of the stroke's span: the start of a trace is noisier than its middle
+constexpr double leastTurn = 0.06;            // share of the force span: a force meter's noise is smaller
+// share of the stroke's span: the start of a trace is noisier than its middle
 constexpr double negativeShare = 0.05;
-constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span; of the release
-constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke's length
-constexpr double endFallShare = 0.4;                            // of the force span
-constexpr double startShare = 0.1;  // of the travel: a force that is largest there pulls, like a magnet
+constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // share of the span; share of the release
+constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // share of the stroke's length
+constexpr double endFallShare = 0.4;                            // share of the force span
+constexpr double startShare = 0.1;  // share of the travel: a force that is largest there pulls, like a magnet
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // the release of a latching key has half of the press' travel
 // A button that springs back does so to the end. A release that stops half-way, near the press, was traced
@@ -44,9 +45,9 @@ constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;
 // The release of a self-locking button ends half-way without force, and the names in a drawing say so.
 constexpr double atRest = 0.1;  // share of the press' force there
 
-bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
+bool confirmedBySpec(const std::vector<SpecCheck>& checks, Axis axis) {
   return std::any_of(checks.begin(), checks.end(),
-                     [&](const SpecCheck& c) { return c.spec.isForce() == force && c.agrees; });
+                     [&](const SpecCheck& c) { return c.spec.isForce() == (axis == Axis::y) && c.agrees; });
 }
 
 /// Smallest and largest of one coordinate.
@@ -165,7 +166,7 @@ bool stepsOverAndBack(const StrokePair& strokes) {
 /// the plot's own lines: the frame was cut too short. A thin line between two rows has its colour in about
 /// every second column.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
-  constexpr double farShare = 0.04, nearlyAll = 0.9;  // of the frame's width; of the columns
+  constexpr double farShare = 0.04, nearlyAll = 0.9;  // share of the frame's width; share of the columns
   constexpr double apart_px = 3;                      // from a line of the plot
   const Box box = frame.box();
   const auto isLine = [&](int y) {
@@ -203,7 +204,7 @@ double shareAlongAnAxis(const std::vector<Point>& line) {
 
 /// Drop of the force over the last stretch of travel, as a share of the stroke's span.
 double fallAtEnd(const StrokePoints& press) {
-  constexpr double lastShare = 0.03;  // of the travel
+  constexpr double lastShare = 0.03;  // share of the travel
   const Extent travel = travelOf(press), force = forceOf(press);
   double highest = press.points.back().force_N;
   for (const CurvePoint& p : press.points)
@@ -213,7 +214,7 @@ double fallAtEnd(const StrokePoints& press) {
 
 /// The stroke without the bottom-out at its end.
 StrokePoints withoutBottomOut(StrokePoints stroke) {
-  constexpr double plumb = 0.004;  // of the travel
+  constexpr double plumb = 0.004;  // share of the travel
   const double within_mm = plumb * travelOf(stroke).span(), end_mm = stroke.points.back().displacement_mm;
   const auto beside = std::find_if(stroke.points.rbegin(), stroke.points.rend(), [&](const CurvePoint& p) {
     return std::abs(p.displacement_mm - end_mm) > within_mm;
@@ -226,7 +227,7 @@ StrokePoints withoutBottomOut(StrokePoints stroke) {
 
 /// Returns true if the force is least at the stroke's end.
 bool softestAtItsEnd(const StrokePoints& stroke) {
-  constexpr double within = 0.03;  // of the force span
+  constexpr double within = 0.03;  // share of the force span
   const Extent force = forceOf(stroke);
   return stroke.points.back().force_N <= force.low + within * force.span();
 }
@@ -243,7 +244,7 @@ bool fallsThroughout(const StrokePoints& press) {
 /// Returns true if a press has its largest force at its start. The stroke of a key begins where the finger
 /// meets it, so its force is small there.
 bool hardestAtItsStart(const StrokePoints& press) {
-  constexpr double ofHighest = 0.9;  // of the largest force
+  constexpr double ofHighest = 0.9;  // share of the largest force
   const Extent force = forceOf(press);
   return press.points.front().force_N >= ofHighest * force.high &&
          press.points.front().force_N - force.low > endFallShare * force.span();
@@ -306,8 +307,8 @@ double sharedTravel(const StrokePair& strokes) {
 /// Returns true if the press begins far to the right of the release's end, and not near zero force. A press
 /// must start near zero force; otherwise its beginning was not traced.
 bool pressBeginsLate(const StrokePair& strokes) {
-  constexpr double late = 0.1, nothing = 0.25;  // of the travel; of the press' largest force
-  constexpr double plumb = 0.01;                // of the travel: the press of a locked key rises vertically
+  constexpr double late = 0.1, nothing = 0.25;  // share of the travel; share of the press' largest force
+  constexpr double plumb = 0.01;  // share of the travel: the press of a locked key rises vertically
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
   const double travel_mm = press.high - release.low;
   double begin_N = std::numeric_limits<double>::max();
@@ -334,7 +335,7 @@ std::optional<double> forceLeft(const StrokePair& strokes) {
 }
 
 /// Returns true if the points fall monotonically from left to right.
-bool onlyFalls(const std::vector<Point>& pixels) {
+bool pixelsFall(const std::vector<Point>& pixels) {
   constexpr std::size_t parts = 10;
   constexpr double unevenness_px = 2;
   const auto [left, right] = std::ranges::minmax(pixels, {}, &Point::x);
@@ -384,18 +385,19 @@ class Doubts {
   void units() {
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     for (Doubt& other : otherQuantitiesOf(axes)) doubts_.push_back({std::move(other), contradicted});
-    unit(axes.x, false, hints_.axes.xUnit.has_value());
-    unit(axes.y, true, hints_.axes.yUnit.has_value());
+    if (!hints_.axes.xUnit) unit(axes.x, Axis::x);
+    if (!hints_.axes.yUnit) unit(axes.y, Axis::y);
     // A given unit does not resolve whether "," is a decimal or a thousands separator.
     if (axes.x.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"x"}, RemedyKind::giveXAxis);
     if (axes.y.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"y"}, RemedyKind::giveYAxis);
   }
 
-  void unit(const AxisReading& axis, bool force, bool given) {
-    const bool settled = given || axis.unitFound || confirmedBySpec(checks_, force);
-    if (axis.otherQuantity.empty() && !settled)
-      add(DoubtCode::unitMissing, unconfirmed, {force ? "y" : "x", axis.unit},
-          force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit);
+  /// Doubts the unit of an axis for which the user gave none.
+  void unit(const AxisReading& axis, Axis which) {
+    if (!axis.otherQuantity.empty() || axis.unitFound || confirmedBySpec(checks_, which)) return;
+    const bool isX = which == Axis::x;
+    add(DoubtCode::unitMissing, unconfirmed, {isX ? "x" : "y", axis.unit},
+        isX ? RemedyKind::giveXUnit : RemedyKind::giveYUnit);
   }
 
   const AxisCalibration& axes() const { return findings_.graph.axes.calibration.value; }
@@ -417,10 +419,10 @@ class Doubts {
     const double travel_mm = travelOf(findings_.strokes.value.press).high;
     const double force_N = forceOf(findings_.strokes.value.press).high;
     const bool travelGiven = given.xMin && given.xMax;
-    if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, false))
+    if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, Axis::x))
       add(DoubtCode::implausibleTravel, unconfirmed, {{travel_mm, Measure::displacement_mm}},
           sizeRemedies(given.xUnit.has_value(), RemedyKind::giveXUnit, RemedyKind::giveXAxis));
-    if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, true))
+    if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, Axis::y))
       add(DoubtCode::implausibleForce, unconfirmed, {{force_N, Measure::force_N}},
           sizeRemedies(given.yUnit.has_value(), RemedyKind::giveYUnit, RemedyKind::giveYAxis));
   }
@@ -506,7 +508,7 @@ class Doubts {
   /// Doubts a press that was traced alone for a switch chosen among several, if pixels of its colour continue
   /// above or below it over much of its travel: its release, or the real press, is another line.
   void ownColourBeside() {
-    constexpr double mostShare = 0.25;  // of its columns; a legend key takes less
+    constexpr double mostShare = 0.25;  // share of its columns; a legend key takes less
     constexpr double apart_px = 4;      // distance from pixels that are explained
     const StrokePair& strokes = findings_.strokes.value;
     if (hints_.strokes.curve.empty() || strokes.release || findings_.graph.view.raster.rgb.empty()) return;
@@ -660,7 +662,7 @@ class Doubts {
       sayAt(most->box_px.middle(), DoubtCode::curveLeftOver,
             most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
-        0.1;  // of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
+        0.1;  // share of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
     // of the travel of a curve that was traced alone; a dotted line has half
     constexpr double mostBeside = 0.4;
@@ -742,7 +744,7 @@ class Doubts {
   /// Doubts curves of which the plot shows only a part.
   void edges(const StrokePoints& stroke) {
     constexpr double atEdge_px = 2;
-    constexpr double nearShare = 0.02;  // of the frame's height, by which a scale may be off
+    constexpr double nearShare = 0.02;  // share of the frame's height, by which a scale may be off
     constexpr double plumbShare = 0.02;
     std::vector<Point> line = stroke.points_px;
     if (line.empty()) return;
@@ -779,7 +781,7 @@ class Doubts {
     constexpr double onBaseline_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
     constexpr double noticeable = 0.03;                // of the axis' range; of the travel
     constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge where a curve dips below it
-    constexpr double mostHidden = 0.15;   // of the travel: with more, the button would feel different
+    constexpr double mostHidden = 0.15;   // share of the travel: with more, the button would feel different
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const auto& corners = findings_.graph.frame.value.corners;
     const Point lowest = axes.toUnits(corners[3]);
@@ -934,7 +936,7 @@ class Doubts {
   /// Returns true if a line falls monotonically from left to right and has hardly any stroke's colour: an
   /// arrow or a leader. No stroke falls so.
   bool isMark(const Remainder& left) const {
-    constexpr double mostOfStrokes = 0.4;  // of its pixels: smoothed rims have any colour
+    constexpr double mostOfStrokes = 0.4;  // share of its pixels: smoothed rims have any colour
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     const Point low = axes.toUnits({left.box_px.x0, left.box_px.y1}),
                 high = axes.toUnits({left.box_px.x1, left.box_px.y0});
@@ -943,7 +945,7 @@ class Doubts {
     std::size_t ofStrokes = 0;
     for (const CurveTrace& trace : findings_.traces)
       ofStrokes = std::max(ofStrokes, shownOf(left, trace.color));
-    return !left.pixels_px.empty() && !findings_.graph.view.raster.empty() && onlyFalls(left.pixels_px) &&
+    return !left.pixels_px.empty() && !findings_.graph.view.raster.empty() && pixelsFall(left.pixels_px) &&
            static_cast<double>(ofStrokes) < mostOfStrokes * static_cast<double>(left.pixels_px.size());
   }
 

@@ -9,7 +9,7 @@
 namespace detent::importer {
 namespace {
 
-// of the plot frame's diagonal: accuracy of a hand on a plot that is shown as a whole
+// share of the plot frame's diagonal: accuracy of a hand on a plot that is shown as a whole
 constexpr double reachShare = 0.012;
 constexpr double leastReach_px = 4, mostReach_px = 24;
 

@@ -42,7 +42,7 @@ std::vector<Point> scaled(const StrokePoints& stroke, const Scale& scale) {
 
 /// At equal steps along `from`, so that dense stretches do not count more.
 double meanDistance(const std::vector<Point>& from, const std::vector<Point>& to) {
-  constexpr double step = 0.01;  // of the span
+  constexpr double step = 0.01;  // share of the span
   double sum = 0, n = 0, next = 0, travelled = 0;
   for (std::size_t i = 1; i < from.size(); ++i) {
     const Point a = from[i - 1], b = from[i];

@@ -31,7 +31,7 @@ struct GraphFindings {
   std::vector<PrintedSpec> specs;
   PageClass pageClass = PageClass::picture;
   Explanation explanation = {};
-  std::optional<RefinedAxes> refined = {};  ///< at levels that ask for it
+  std::optional<RefinedAxes> refined = {};  ///< only at levels that refine the axes
 };
 
 }  // namespace detent::importer

@@ -258,7 +258,7 @@ struct ImportSession::Impl {
   std::map<int, std::vector<Remark>> remarks;     // parts of a page that could not be read
 
   using GraphsKey = std::tuple<int, bool, double>;  // page, whether its plot frame is given, magnification
-  std::map<GraphsKey, PageGraphs> graphs;           // memory of their views is bounded
+  std::map<GraphsKey, PageGraphs> graphs;           // the memory of the views is bounded
   std::uint64_t clock = 0;
 
   /// Page, number and place of the chosen graph, and the remarks on the choice.
@@ -484,7 +484,7 @@ struct ImportSession::Impl {
       return common.empty() ? 0 : common.area() / box.joined(place.pageBox).area();
     };
     const auto best = std::ranges::max_element(onIt, {}, shared);
-    constexpr double sameFrame = 0.5;  // of the joint area of both
+    constexpr double sameFrame = 0.5;  // share of the joint area of both frames
     if (best == onIt.end() || shared(*best) < sameFrame) return {};
     const auto index = static_cast<std::size_t>(best - onIt.begin());
     if (!restoreView(place.page, **onPage, index, progress)) return {};
@@ -955,7 +955,7 @@ ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const 
 namespace {
 
 /// The contact points recorded in a log, in the form of a page's callouts.
-std::vector<Callout> contactsOf(const ForceLog& log) {
+std::vector<Callout> contactPointsOf(const ForceLog& log) {
   std::vector<Callout> contacts;
   if (log.operatingPoint_mm)
     contacts.push_back({CalloutKind::operatingPoint, {*log.operatingPoint_mm, 0}, {}, 1, {}});
@@ -989,7 +989,7 @@ double misfitOf(const StrokePoints& stroke, const StrokeCurve& fitted) {
 
 /// Misfit as a factor of the confidence: 1 up to a hundredth of the span, 0 from a twentieth on.
 double fitConfidence(const StrokePair& strokes, const FittedStrokes& fitted) {
-  constexpr double right = 0.01, wrong = 0.05;  // of the force span
+  constexpr double right = 0.01, wrong = 0.05;  // share of the force span
   double misfit = misfitOf(strokes.press, fitted.press.curve);
   if (strokes.release && fitted.release)
     misfit = std::max(misfit, misfitOf(*strokes.release, fitted.release->curve));
@@ -1128,7 +1128,7 @@ Result<ImportReport> ImportSession::Impl::reportOfLog(Result<ForceLog> log,
     return failureOf(*gravest, name());
   }
   provenance.warnings = recorded(log->remarks);
-  auto button = buttonFrom(stem(), *fitted, contactsOf(*log), provenance);
+  auto button = buttonFrom(stem(), *fitted, contactPointsOf(*log), provenance);
   if (!button) return button.failure();
   ImportReport report(std::move(button).value());
   report.strokes = std::move(log->strokes);

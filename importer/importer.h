@@ -121,7 +121,7 @@ struct RejectedFrame {
 struct GraphList {
   std::vector<ListedGraph> graphs;      ///< reading order
   std::vector<RejectedFrame> rejected;  ///< examined and not listed
-  std::vector<Remark> remarks;          ///< what could not be read: broken images, broken pages
+  std::vector<Remark> remarks;  ///< parts of the document that could not be read: broken images, broken pages
 };
 
 /// Confidence of one step, with its subject.

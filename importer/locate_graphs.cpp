@@ -80,7 +80,7 @@ Result<PageView> viewOf(const Document& document, const Page& page, const Box& r
 /// Searches for missing units farther out, because titles may lie outside the plot's own view.
 void searchFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
                            const LocateOptions& options, const Progress& progress) {
-  constexpr double farther = 0.4;  // of the region's size, on every side
+  constexpr double farther = 0.4;  // share of the region's size, on every side
   const AxisCalibration& cal = graph.axes.calibration.value;
   const FrameCandidate& candidate = graph.candidate.value;
   if (cal.x.unitFound && cal.y.unitFound) return;

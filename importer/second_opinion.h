@@ -16,7 +16,7 @@ struct OtherSizes {
 };
 OtherSizes otherSizesOf(const Page& page);
 
-/// One reading and its result, made with ImportRequest::acceptDoubt.
+/// One reading of a page and its result, made with ImportRequest::acceptDoubt.
 struct PageReading {
   double magnification = 1;
   ImportAttempt attempt;

@@ -138,7 +138,7 @@ std::optional<LocatedGraph> widenedToItsCurves(const LocatedGraph& graph,
   constexpr double atEdge_px = 2, mostShare = 0.2, roomShare = 0.01, leastRoom_px = 3;  // shares of the width
   constexpr double lineAlongEdge_px = 5;  // half of the thickest line
   constexpr double farBeyond_px = 9;
-  constexpr double lineEnd_px = 5;  // beyond the line on which it ends
+  constexpr double lineEnd_px = 5;  // px beyond the line at which an axis ends
   const PlotFrame& frame = graph.frame.value;
   const Box box = frame.box();
   const Raster& picture = graph.view.raster;

@@ -40,10 +40,10 @@ struct PinnedPoint {
 
 /// Constraints that later edits keep.
 struct EditLinks {
-  bool oneTravelEnd = false;  ///< where one stroke's end goes, the ends of all strokes of all states go
-  std::optional<double>
-      releaseBelowPress_N;  ///< >= 0: each release moves along with edits of its press; their mean distance when
-                            ///< the link was last set
+  /// an edit that moves one stroke's end moves the ends of all strokes of all states
+  bool oneTravelEnd = false;
+  /// >= 0: each release moves along with edits of its press; their mean distance when the link was last set
+  std::optional<double> releaseBelowPress_N;
   std::vector<PinnedPoint> pinned;
   bool empty() const { return !oneTravelEnd && !releaseBelowPress_N && pinned.empty(); }
   friend bool operator==(const EditLinks&, const EditLinks&) = default;

@@ -147,7 +147,7 @@ struct Mean {
 
 void appendKnots(const Mean& mean, bool isVertical, std::vector<Knot>& knots) {
   if (!knots.empty() && mean.displacement_mm <= knots.back().displacement_mm)
-    return;  // the same place, apart from rounding
+    return;  // the knot coincides with the last one, apart from rounding
   const double before = mean.slopeBefore_N / mean.lengthBefore_mm,
                after = mean.slopeAfter_N / mean.lengthAfter_mm;
   if (!isVertical) {

@@ -30,8 +30,8 @@ struct SpeedGraph {
 struct ButtonState {
   std::string name;  ///< "", "unlocked", "locked"; unique in the button
   ForceGraph graph;
-  std::optional<double> operatingPoint_mm;  ///< where the contact closes on the press stroke
-  std::optional<double> resetPoint_mm;      ///< where it opens on the release stroke
+  std::optional<double> operatingPoint_mm;  ///< press displacement at which the contact closes
+  std::optional<double> resetPoint_mm;      ///< release displacement at which the contact opens
   std::vector<DampingPoint> damping;        ///< linear between points; empty: no damping is computed
   /// For a button that feels different at different speeds: the speed of `graph`, and graphs at one to three
   /// other speeds, by rising speed (speed_family.h). Code that knows no speed uses `graph`.

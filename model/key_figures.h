@@ -68,7 +68,7 @@ struct KeyFigures {
 struct ShapePlaces {
   CurvePoint start;
   std::optional<CurvePoint> peak, valley;  ///< both or neither
-  CurvePoint bottom;                       ///< where the bottom-out begins
+  CurvePoint bottom;                       ///< start of the bottom-out
 };
 
 /// Any thread.

@@ -78,8 +78,8 @@ struct SameKnot {
   std::size_t was, is;
 };
 
-// Pairs the knots of a curve and its edited form, in order and end to end. Of the longer list some stay alone: those
-// whose partners would have moved farthest.
+// Pairs the knots of a curve and its edited form, in order and end to end. Of the longer list some stay
+// alone: those whose partners would have moved farthest.
 std::vector<SameKnot> sameKnots(const StrokeCurve& before, const StrokeCurve& after) {
   const std::vector<Knot>&was = before.knots(), &is = after.knots();
   const bool added = is.size() > was.size();
@@ -129,8 +129,9 @@ bool shapes(const StrokeCurve& curve, std::size_t index) {
       middles_mm, [&](double mm) { return std::abs(without->force_N(mm) - curve.force_N(mm)) > rounding; });
 }
 
-// Where an edit of a curve took each displacement: linear between the knots that both forms have, and the knots
-// that it added. An added knot came from where the curve had its force, if that is one place.
+// Maps each displacement before an edit of a curve to its place after it: linear between the knots that both
+// forms have, and the knots that the edit added. An added knot came from where the curve had its force, if
+// that is one place.
 class MovedDisplacements {
  public:
   MovedDisplacements(const StrokeCurve& before, const StrokeCurve& after) {
@@ -152,7 +153,7 @@ class MovedDisplacements {
     const std::size_t i = pieceOf(at_mm, before);
     return (is_[i + 1] - is_[i]) / (was_[i + 1] - was_[i]);
   }
-  /// Where the knots that the edit added came from, as far as they shape the curve.
+  /// Displacements before the edit of the knots that it added, as far as they shape the curve.
   const std::vector<double>& added_mm() const { return added_mm_; }
 
  private:
@@ -186,8 +187,8 @@ class MovedDisplacements {
   std::vector<double> was_, is_, added_mm_;
 };
 
-// Moves each knot of the release as the press moved at its displacement, and adds the press's change of slope. The
-// release gets a knot wherever the edit gave the press a new one, so that it can bend there too.
+// Moves each knot of the release as the press moved at its displacement, and adds the press's change of
+// slope. The release gets a knot wherever the edit gave the press a new one, so that it can bend there too.
 Result<StrokeCurve> movedAlong(StrokeCurve release, const StrokeCurve& before, const StrokeCurve& after) {
   const MovedDisplacements moved(before, after);
   for (const double at_mm : moved.added_mm()) {
@@ -221,8 +222,8 @@ Result<StrokeCurve> movedAlong(StrokeCurve release, const StrokeCurve& before, c
   return StrokeCurve::fromKnots(std::move(knots));
 }
 
-// Moves releases along with their presses. An edit that changed a release itself, or the number of states, is left as
-// it is.
+// Moves releases along with their presses. An edit that changed a release itself, or the number of states,
+// is left as it is.
 Result<Button> withReleasesMoved(const Button& before, Button after) {
   if (before.states().size() != after.states().size()) return after;
   for (std::size_t i = 0; i < after.states().size(); ++i) {

@@ -8,11 +8,11 @@
 
 namespace detent {
 
-/// Returns `after` changed so that `links` hold: a release whose press the edit changed moves along (its knots
-/// go where the press went, with the press's changes of force and slope); if one stroke's end moved, the
-/// bottom-outs of all other strokes move to the same end. An edit that changes a release itself leaves it so.
-/// Failure wrongUsage: two ends moved to different places, a stroke too short to end there, or a pinned place
-/// that would move. Any thread.
+/// Returns `after` changed so that `links` hold: a release whose press the edit changed moves along (its
+/// knots go where the press went, with the press's changes of force and slope); if one stroke's end moved,
+/// the bottom-outs of all other strokes move to the same end. An edit that changes a release itself leaves
+/// it so. Failure wrongUsage: two ends moved to different places, a stroke too short to end there, or a
+/// pinned place that would move. Any thread.
 Result<Button> keptLinks(const Button& before, const Button& after, const EditLinks& links);
 
 /// Lowers all forces of every release (by_N < 0: raises). Failure if a curve cannot have such forces.

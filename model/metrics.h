@@ -12,7 +12,7 @@ namespace detent {
 
 /// One tactile point and the extremum after it.
 struct TactileEvent {
-  TactilePoint point;                   ///< its force is the tactile force
+  TactilePoint point;                   ///< the tactile point; its force is the tactile force
   std::optional<CurvePoint> following;  ///< press: the valley after it; release: the hump after it
   std::optional<double>
       snapRatio;  ///< press: (tactile force - valley)/tactile force; only for a tactile force > 0

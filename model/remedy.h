@@ -18,7 +18,7 @@ enum class RemedyKind {
   // Import hints:
   giveFrame,      ///< the plot frame's corners
   giveXAxis,      ///< values at the frame's left and right edge
-  giveYAxis,      ///< values at its lower and upper edge
+  giveYAxis,      ///< give the values at the lower and upper edge of the y axis
   giveXUnit,      ///< unit of displacement
   giveYUnit,      ///< unit of force
   pickPress,      ///< the press curve's colour

@@ -56,9 +56,9 @@ struct Subject {
 struct Failure {
   FailureCode code = FailureCode::internalFault;
   Subject subject;               ///< the file or value: "plot.png", "press curve"
-  Message place;                 ///< where in it: "page 3", "knot 4", "line 17"; may be empty
-  Message problem;               ///< what is wrong, with the offending value
-  Remedies remedies;             ///< what to do next
+  Message place;                 ///< place in the subject: "page 3", "knot 4", "line 17"; may be empty
+  Message problem;               ///< the fault, with the offending value
+  Remedies remedies;             ///< next steps for the user
   std::string_view reason = {};  ///< the room's own code for the problem; static lifetime; may be empty
 
   /// Failure of a step that was cancelled.

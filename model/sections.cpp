@@ -284,7 +284,7 @@ std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const B
   }
   const double forward = press ? 1 : -1;
   for (const auto& [turn, prominence] : prominentTurns(curve, way, bottomOut, settings)) {
-    if (forward * turn.displacement_mm < forward * at_mm) continue;  // inside the jump before it
+    if (forward * turn.displacement_mm < forward * at_mm) continue;  // inside the previous jump
     const double height = way.sign * turn.height_N;
     appendSlope(sections, at_mm, atForce, turn.displacement_mm, height);
     const auto regained = regainedAt(curve, way, turn);

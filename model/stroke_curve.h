@@ -103,7 +103,7 @@ class StrokeCurve {
   explicit StrokeCurve(std::vector<Knot> knots) : knots_(std::move(knots)) {}
   std::size_t pieceFrom(
       double displacement_mm) const;                  // the non-vertical piece to the right of a displacement
-  std::size_t pieceTo(double displacement_mm) const;  // the non-vertical piece to the left of it
+  std::size_t pieceTo(double displacement_mm) const;  // the non-vertical piece to the left of a displacement
   std::vector<Knot> knots_;
 };
 

@@ -50,9 +50,9 @@ struct Warning {
   std::string_view unit;  ///< "N", "mm", "" for counts and shares
   std::string problem;    ///< sentence, without the place
   WarningPlace spot;      ///< the place as data
-  double against =
-      0;  ///< what `value` is compared with (the other end, the operating point), mm; for speeds that of the
-          ///< press, mm/s
+  /// the value that `value` is compared with (the other end, the operating point), mm; for speeds that of the
+  /// press, mm/s
+  double against = 0;
   std::string sentence() const { return place + ": " + problem + "."; }
 };
 

@@ -119,7 +119,7 @@ struct DeviceMeasurement {
   ForceDeviceMeasurement device;
   MotionIdentification motion;
   MotionRecord record;        ///< the record that was evaluated, for plots
-  double roundTrip_s = 0;     ///< of the link; 0: there is none, or it is fast
+  double roundTrip_s = 0;     ///< of the link to the device; 0: there is none, or it is fast
   double longestPause_s = 0;  ///< of this computer; samples during a pause are not evaluated
 };
 /// Takes some ten seconds. Calls `onward` often with the completed share (0..1); false cancels. Failure:

@@ -176,7 +176,7 @@ Result<std::unique_ptr<ForceDevice>> openForceDevice(const ForceDeviceChoice& ch
 void watchOnly(ForceProgram& program, double longestUnheard_s) {
   program.proof.present = false;  // done already; from now on the device makes its force itself
   program.limits.deadCountAbove_N =
-      std::numeric_limits<double>::infinity();  // its force cannot be lowered for a probe
+      std::numeric_limits<double>::infinity();  // no probe: this program cannot lower the device's force
   program.limits.heldReadings = static_cast<std::uint32_t>(longestUnheard_s / program.period_s) + 1;
   // the time for which the device continues without messages
   program.limits.longestHold_s = longestUnheard_s;

@@ -81,7 +81,7 @@ enum class SensorCondition : std::uint8_t { none, starting, running, silent, stu
 /// A closing of the button's contact: it was pressed as far as its operating point.
 struct ContactClosing {
   double time_s = 0;    ///< on the steady clock of playback/device, interpolated between two readings
-  double within_s = 0;  ///< time between these two readings
+  double within_s = 0;  ///< time between the two readings around it
 };
 
 /// Values for a display; a snapshot.

@@ -31,7 +31,7 @@ struct RefusedMove {
 struct Proposal {
   CurvePoint at;
   Stroke stroke = Stroke::press;
-  std::optional<CurvePoint> to;  ///< where the jump being drawn returns to the curve
+  std::optional<CurvePoint> to;  ///< point at which the jump being drawn returns to the curve
   friend bool operator==(const Proposal&, const Proposal&) = default;
 };
 

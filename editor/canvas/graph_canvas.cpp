@@ -49,7 +49,7 @@ void GraphCanvas::graphChanged() {
   update();
 }
 
-// Another state has other marks.
+// The marks of the state shown before do not exist in this one, so the selection is cleared.
 void GraphCanvas::stateChanged() {
   values_.reset();
   setSelection({});

@@ -18,7 +18,7 @@ QString tr(const char* text) { return QCoreApplication::translate("GraphPainting
 
 // With more knots they are drawn small, because circles would hide the curve and cost time.
 constexpr std::size_t fewKnots = 120;
-constexpr std::size_t fewFlags = 4;  // valleys with a label of their own
+constexpr std::size_t fewFlags = 4;  // with more valleys than this, their labels would cover the curve
 constexpr double longestResidual_px = 60;
 
 QColor withAlpha(QColor color, double alpha) {
@@ -103,7 +103,7 @@ QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
   return pen;
 }
 
-// The other state, or the strokes that a drag has changed, as they were.
+// Draws the other state's strokes, or those that a drag has changed as they were before it.
 void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene, const ForceGraph& graph) {
   painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
@@ -185,7 +185,7 @@ void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& s
   drawPolylines(painter, curvePolylines(graph.press(), map));
 }
 
-// In the selection colour, because it is neither stroke yet.
+// In the selection colour, because the preview belongs to neither stroke yet.
 void paintPreview(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
@@ -286,7 +286,7 @@ void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
-// Digits of a number on the curve: what a reader compares at a glance.
+// Digits of a number on the curve, few enough to be compared at a glance.
 constexpr int shownDigits = 4;
 
 QString shortForce(double force_N, const GraphScene& scene) {

@@ -40,10 +40,12 @@ struct GraphScene {
   const CanvasFeedback& feedback;
   std::span<const MarkId> selection;  ///< the last one has handles
   std::optional<FingerPosition> finger;
-  const ButtonState* otherState = nullptr;                 ///< of a self-locking button: drawn faintly
-  std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
-  bool handlesShown = true;                                ///< knots and handles; off in exported pictures
-  std::optional<ReadingError> readingError;  ///< of an imported graph: decides the digits of its forces
+  const ButtonState* otherState = nullptr;  ///< of a self-locking button: drawn faintly
+  /// traced points, to which residuals are drawn; empty: none
+  std::span<const CurvePoint> tracedPress, tracedRelease;
+  bool handlesShown = true;  ///< knots and handles; off in exported pictures
+  /// of an imported graph: decides how many digits of its forces are shown
+  std::optional<ReadingError> readingError;
   std::span<const Note> notes = {};          ///< remarks; only those of this state are drawn
   std::span<const PinnedPoint> pinned = {};  ///< drawn with the handles
   std::size_t stateIndex = 0;                ///< index of this state in the button

@@ -11,7 +11,7 @@ namespace detent::editor {
 /// A linear map of both axes. Pixels are continuous: the gridline of a value runs through its pixel's centre.
 /// Plain value.
 struct PlotMapping {
-  QRectF clip_px;     ///< where curves may be drawn
+  QRectF clip_px;     ///< area in which curves may be drawn
   QPointF origin_px;  ///< position of (originX, originY)
   double originX = 0, originY = 0;
   double pxPerX = 1, pxPerY = 1;  ///< > 0; y counts upwards

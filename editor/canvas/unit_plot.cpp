@@ -51,7 +51,7 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
       yTicker_(new UnitTicker) {
   // One buffer for all static content.
   layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
-  new Content(*this);  // QCustomPlot owns it
+  new Content(*this);  // QCustomPlot owns the object
   setInteractions(QCP::Interactions());
   setNoAntialiasingOnDrag(false);
   xAxis->setTicker(xTicker_);

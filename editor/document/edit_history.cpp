@@ -30,7 +30,7 @@ class EditHistory::Step : public QUndoCommand {
   int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
 
   bool mergeWith(const QUndoCommand* other) override {
-    const auto* step = static_cast<const Step*>(other);  // same id, so it is this class
+    const auto* step = static_cast<const Step*>(other);  // the id is the same, so the class is the same
     if (step->mergeKey_ != mergeKey_) return false;
     after_ = step->after_;
     setObsolete(after_ == before_);

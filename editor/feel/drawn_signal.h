@@ -19,7 +19,8 @@ struct DrawnSignal {
   std::vector<float> samples;                 ///< at drawnRate_Hz, full scale is 1
   double peak = 0;                            ///< largest |sample|
   std::vector<playback::EngineEvent> events;  ///< felt at their frames; none of a signal that no engine made
-  playback::PressTrace press;  ///< what was pressed with; no readings where nothing was pressed
+  playback::PressTrace
+      press;  ///< readings of the press that caused the signal; empty for a signal without a press
   playback::Spectrogram spectrogram;
   std::optional<Failure> failure;
 

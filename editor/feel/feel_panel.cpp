@@ -34,7 +34,7 @@ constexpr double wideRatio = 1.35;   // wider than this, the parts stand side by
 constexpr int leastControls_px = 120;
 constexpr double comparableDurations = 4;  // of two signals whose times are drawn to one scale
 constexpr int longestNote = 200;
-constexpr int leastOfTwoViews_px = 140;  // a low dock has room for both
+constexpr int leastOfTwoViews_px = 140;  // a low dock has room for two views
 constexpr FeelSide sides[] = {FeelSide::a, FeelSide::b};
 
 PadButton padButtonOf(const ButtonDocument& document, std::size_t state, double full_N) {
@@ -141,7 +141,7 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   column->addWidget(setupToggle_, 0, Qt::AlignLeft);
   column->addWidget(setupPage_);
   column->addStretch(1);
-  // In a low dock not all of it has room; whatever is wrapped, everything can be reached.
+  // A low dock has no room for all parts, so the content scrolls.
   auto* area = new QScrollArea;
   area->setAccessibleName(tr("Sound, force and setup"));
   area->setWidget(whole);

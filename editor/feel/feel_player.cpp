@@ -63,7 +63,7 @@ void FeelPlayer::setProgram(std::shared_ptr<const playback::LiveProgram> program
   }
 }
 
-// At once: what was held is gone, and the next button must not find it pressed.
+// Ends a press at once, so that the next button does not start pressed.
 void FeelPlayer::letGo() {
   const Finger held = std::exchange(finger_, Finger::none);
   if (!player_) return;
@@ -72,8 +72,8 @@ void FeelPlayer::letGo() {
   if (held == Finger::depth || (held == Finger::lifting && !liftsForce_)) player_->pushDisplacement(0);
 }
 
-// A force that was let go falls at the pace of a finger: the next button must not find what is left of it. A
-// silent player costs nothing to begin anew; one with a device or a sensor keeps them.
+// Starts a silent player anew, because a released force falls slowly and the next button must not find a
+// rest of it. A player with a device or a sensor is kept.
 void FeelPlayer::forgetPress() {
   if (!player_ || status_.sounding || devicePosition_mm_ || !sensor_.port.empty()) return;
   player_.reset();
@@ -243,7 +243,8 @@ bool FeelPlayer::take(Finger finger) {
   if (finger_ == Finger::lifting) finger_ = Finger::none;
   if (finger_ != Finger::none && finger_ != finger) return false;
   if (finger_ == Finger::none) {
-    if (sound_ == SoundState::off) startSound();  // not after a failure: trying may take its time
+    // not after a failure: opening the device again may take long
+    if (sound_ == SoundState::off) startSound();
     finger_ = finger;
     pressed_ = true;
     pace();

@@ -22,7 +22,7 @@ enum class SoundState {
   starting,  ///< the device is being opened; the finger is followed silently meanwhile
   on,
   lost,   ///< the device went away; it is taken up again when it is back
-  failed  ///< it could not be opened; trouble() says why and what to do
+  failed  ///< the device could not be opened; trouble() says why and what to do
 };
 
 /// Source of force readings besides the pad.
@@ -33,8 +33,8 @@ struct SensorPort {
 };
 
 /// One finger on one program at a time. A press is timed (down, up) or followed (force or depth, then lift);
-/// what begins while another finger holds the button is ignored. GUI thread; devices are opened and closed on
-/// a thread of its own.
+/// while one finger holds the button, input of others is ignored. GUI thread; devices are opened and closed
+/// on a thread of its own.
 class FeelPlayer : public QObject {
   Q_OBJECT
 
@@ -47,14 +47,14 @@ class FeelPlayer : public QObject {
 
   /// Allows a press to open the sound device. Off closes it.
   void setSoundWanted(bool wanted);
-  /// Another device, rate or buffer; opened again if one is open.
+  /// Changes the sound device, rate or buffer; an open device is opened again.
   void setOutput(const playback::PlayerSettings& settings);
   const playback::PlayerSettings& output() const { return output_; }
   /// Opens the device now, or once more after a failure. The first press does so by itself.
   void startSound();
   void setGain(double gain);  ///< factor >= 0, before the limiter
 
-  /// An empty port lets go. Kept over a change of the sound device, and while there is nothing to press.
+  /// Opens a sensor; an empty port closes it. It stays open while the sound device or the button changes.
   void setSensor(const SensorPort& sensor);
   /// The reason why the sensor's port could not be opened, and the remedy; empty if there is no trouble.
   const QString& sensorTrouble() const { return sensorTrouble_; }
@@ -74,7 +74,8 @@ class FeelPlayer : public QObject {
   /// is off, or another press is under way.
   bool play(std::shared_ptr<const playback::PressTrace> press);
   bool playing() const { return player_ && (player_->tracePlaying() || player_->samplesPlaying()); }
-  /// Plays samples (at 48000 a second) that no button made, in the same way. False likewise.
+  /// Plays samples (at 48000 a second) that no button made. Returns false under the same conditions as
+  /// play().
   bool playSamples(std::shared_ptr<const std::vector<float>> samples);
   void stopSamples();
   bool samplesPlaying() const { return samplesToPlay_ || (player_ && player_->samplesPlaying()); }
@@ -140,7 +141,7 @@ class FeelPlayer : public QObject {
   bool liftsForce_ = true;
   Clock::time_point liftedAt_, movedAt_;
   bool pressed_ = false;
-  // As soon as the device is open, one of them.
+  // Played as soon as the device is open.
   std::shared_ptr<const playback::PressTrace> toPlay_;
   std::shared_ptr<const std::vector<float>> samplesToPlay_;
   std::shared_ptr<playback::PressTrace> recording_;  // the press under way

@@ -71,7 +71,7 @@ void FeelSession::setDocument(FeelSide side, ButtonDocument* document) {
 
 void FeelSession::feel(FeelSide side) {
   if (!slot(side).document || side == felt_) return;
-  if (motion_.pressed) tellFinger(std::nullopt);  // it leaves the graph of the one that was pressed
+  if (motion_.pressed) tellFinger(std::nullopt);  // the finger leaves the graph of the button pressed so far
   felt_ = side;
   underFinger();
   emit feltDocumentChanged(feltDocument());
@@ -134,7 +134,8 @@ bool FeelSession::playable() const { return program() && settings_.sound && !pla
 
 void FeelSession::play() {
   if (!program()) return;
-  if (!player_.pressed() && state_ != firstState()) underFinger();  // it was left in another state
+  // the last press left the button in another state
+  if (!player_.pressed() && state_ != firstState()) underFinger();
   if (!player_.play(std::make_shared<const playback::PressTrace>(signal()->press)))
     emit said(settings_.sound ? tr("Only one press can be played at a time")
                               : tr("Switch the sound on to play a press"));
@@ -146,7 +147,7 @@ void FeelSession::setReference(const QString& file) {
   FeelSettings next = settings_;
   next.referenceFile = file;
   if (next.referenceFile == settings_.referenceFile) {
-    loadReference();  // it may be another file by now
+    loadReference();  // the file may have changed
   } else {
     setSettings(next);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Two buttons and one finger, without widgets: what is pressed, what it feels like, where the finger stands.
+// Two buttons and one finger, without widgets: the pressed button, its signals and the finger's position.
 // The window owns it; the feel panel shows it.
 
 #include <array>
@@ -47,7 +47,7 @@ class FeelSession : public QObject {
   FeelSide feltSide() const { return felt_; }
   /// The pressed button: A, or B after an exchange.
   ButtonDocument* feltDocument() const { return felt().document; }
-  /// Puts that button under the finger; nothing where there is none.
+  /// Puts that button under the finger; does nothing if there is none.
   void feel(FeelSide side);
   void exchange() { feel(felt_ == FeelSide::a ? FeelSide::b : FeelSide::a); }
   bool exchangeable() const { return slots_[0].document && slots_[1].document; }
@@ -169,7 +169,8 @@ class FeelSession : public QObject {
   std::size_t state_ = 0;
   bool watched_ = false;
   std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
-  std::size_t ownState_ = 0, pressBegan_ = 0;             ///< in which that one, and the running one, began
+  /// state in which the last press by hand began, and the running one
+  std::size_t ownState_ = 0, pressBegan_ = 0;
   bool drawsOwn_ = false;
   std::shared_ptr<const ReferenceDrawing> reference_;
   QString referenceTrouble_;

@@ -221,7 +221,7 @@ void FeelSetup::showDevices() {
         tr("output channels: %1, %2 Hz").arg(device.outputChannels).arg(fixedText(device.sampleRate_Hz, 0)),
         Qt::ToolTipRole);
   }
-  // One that is chosen but away stays chosen: it may come back.
+  // A chosen device that is disconnected stays chosen.
   if (device_->findData(settings_.device) < 0)
     device_->addItem(tr("%1 (not connected)").arg(settings_.device), settings_.device);
   select(device_, settings_.device);

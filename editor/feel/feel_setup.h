@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The form behind the pad: how one presses, what is felt, which devices are used.
+// The form behind the pad: how one presses, what is felt, and the devices used.
 
 #include <QWidget>
 

@@ -43,7 +43,8 @@ void ForceSession::setDocument(ButtonDocument* document) {
   if (document_) connect(document_, &ButtonDocument::changed, this, &ForceSession::buttonChanged);
   computeMargin();
   if (!document_) return stop();
-  // Another button has another travel for the simulated finger; a real one is where it is.
+  // The simulated finger is exchanged, because its travel is that of the button. A real finger stays where
+  // it is.
   if (player_ && simulated()) {
     exchange();
   } else {
@@ -60,7 +61,7 @@ void ForceSession::setWatched(bool watched) {
 
 // ---- the device
 
-// Another device starts by hand: nobody may hold it yet.
+// An exchanged device is stopped: it starts only on request, because nobody may hold it yet.
 void ForceSession::setChoices(const ForceChoices& choices) {
   if (choices == choices_) return;
   const bool exchanged = choices.device != choices_.device;
@@ -111,7 +112,7 @@ void ForceSession::exchange() {
   const bool open = wanted_ && device_ && document_;
   Player old = std::move(player_);
   if (!open && !old) return;
-  setState(open ? ForceState::starting : ForceState::off);  // who follows the old one lets go of it here
+  setState(open ? ForceState::starting : ForceState::off);  // listeners let go of the old player here
   busy_ = true;
   playback::ForcePlayerSettings settings;
   if (open) {

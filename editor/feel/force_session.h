@@ -23,14 +23,14 @@ enum class ForceState : std::uint8_t {
   starting,  ///< the device is being opened
   on,
   lost,   ///< it went away, without force; taken up again when it is back
-  failed  ///< it could not be opened; trouble() says why and what to do
+  failed  ///< the device could not be opened; trouble() says why and what to do
 };
 
 /// Energy that finger and button exchange.
 struct ForceEnergy {
   double held_mJ = 0;           ///< in the button now, counted from its rest
-  double most_mJ = 0;           ///< of this press, or of the last one
-  double givenBack_mJ = 0;      ///< of that, on the way back
+  double most_mJ = 0;           ///< largest value in this press, or in the last one
+  double givenBack_mJ = 0;      ///< share of `most_mJ` that came back to the finger, in mJ
   double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
 };
 
@@ -47,7 +47,7 @@ class ForceSession : public QObject {
   void setWatched(bool watched);
   /// The pressed button; exchanged under the finger. May be null.
   void setDocument(ButtonDocument* document);
-  /// Another device does not start by itself, even while one runs.
+  /// Sets the device and its options. A newly chosen device does not start by itself, even while one runs.
   void setChoices(const ForceChoices& choices);
   const ForceChoices& choices() const { return choices_; }
   ButtonDocument* document() const { return document_; }
@@ -81,7 +81,7 @@ class ForceSession : public QObject {
   void stateChanged();
   /// About 100 times a second while it runs.
   void moved();
-  /// Margin, device or what was changed.
+  /// The margin, the device or the changes by makeStable changed.
   void marginChanged();
   void said(const QString& message);
 

@@ -92,7 +92,7 @@ void PressPad::timerEvent(QTimerEvent*) {
 
 // ---- input
 
-// One finger at a time: what comes while another source holds the button is not a press.
+// Begins a press, unless another source holds the button.
 bool PressPad::begin(Source source, double y_px, bool byPressure) {
   if (held_ || !button_) return false;
   held_ = source;
@@ -143,7 +143,7 @@ void PressPad::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PressPad::tabletEvent(QTabletEvent* event) {
-  event->accept();  // or Qt makes a mouse of it
+  event->accept();  // otherwise Qt makes a mouse event of it
   switch (event->type()) {
     case QEvent::TabletPress:
       setFocus(Qt::MouseFocusReason);

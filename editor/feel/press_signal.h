@@ -21,10 +21,10 @@ struct PressSignalRequest {
 
 /// A button prepared for playing, and one press of it.
 struct PressSignal : DrawnSignal {
-  std::shared_ptr<const playback::LiveProgram> program;  ///< what is pressed
+  std::shared_ptr<const playback::LiveProgram> program;  ///< program of the pressed button
   std::optional<double> speed_mm_per_s;  ///< of the press, of a button with graphs at several speeds
-  std::string summary;                   ///< what was prepared, in one line
-  std::vector<Message> warnings;         ///< what did not fit a program
+  std::string summary;                   ///< summary of the prepared program, in one line
+  std::vector<Message> warnings;         ///< parts of the button that a program cannot hold
   bool standard = true;                  ///< playback::StandardPress, or a recorded one
   std::size_t firstState = 0;            ///< the button's state that is the program's first
   double computing_s = 0;

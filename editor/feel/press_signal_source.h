@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Press signals off the GUI thread: the latest request wins, what it overtook is never computed.
+// Computes press signals off the GUI thread. Only the latest request is answered; older ones are dropped.
 
 #include <cstdint>
 #include <memory>

@@ -11,7 +11,7 @@ namespace detent::editor {
 
 /// An AHAP, .haptic, HJIF or sound file beside a button's own signal.
 struct ReferenceDrawing : DrawnSignal {
-  std::vector<Message> notes;  ///< what of the file is not played, or played differently
+  std::vector<Message> notes;  ///< parts of the file that are not played, or played differently
 };
 
 /// Reads and draws `file`. Some 100 ms; any thread.

@@ -29,7 +29,7 @@ void addChoice(QComboBox* box, const QString& text, Value value, const QString& 
   box->addItem(text, QVariant::fromValue(value));
   if (!tip.isEmpty()) box->setItemData(box->count() - 1, tip, Qt::ToolTipRole);
 }
-/// The choice with that value; nothing where there is none.
+/// Selects the entry with that value; does nothing if there is none.
 void select(QComboBox* box, const QVariant& value);
 
 /// Serial ports that a sensor or a force device can be behind.

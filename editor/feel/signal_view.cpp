@@ -226,7 +226,7 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
     painter.drawText(QRectF(0, y(v) - 8, area.left() - 5, 16), Qt::AlignRight | Qt::AlignVCenter, text);
   }
 
-  // The force that makes it, in its own height.
+  // The force that causes the signal, scaled to its own height.
   double strongest = 0;
   for (const playback::PressReading& r : signal_->press.readings) strongest = std::max(strongest, r.value);
   if (strongest > 0) {
@@ -253,7 +253,7 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
     const std::size_t from = c * drawn / columns;
     const std::size_t to = std::max(from + 1, (c + 1) * drawn / columns);
     if (from >= samples.size()) break;
-    float low = previous, high = previous;  // joined to its neighbour
+    float low = previous, high = previous;  // joined to the neighbouring column
     for (std::size_t i = from; i < to && i < samples.size(); ++i) {
       low = std::min(low, samples[i]);
       high = std::max(high, samples[i]);

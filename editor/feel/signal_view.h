@@ -61,7 +61,7 @@ class SignalView : public QWidget {
   QString readout(const Layout& layout) const;
 
   std::shared_ptr<const DrawnSignal> signal_;
-  std::shared_ptr<const PressSignal> press_;  ///< the same, where it is one
+  std::shared_ptr<const PressSignal> press_;  ///< `signal_` if it is a press signal; otherwise null
   QString heading_;
   double leastDuration_s_ = 0, leastPeak_ = 0;
   QImage picture_;  ///< of the spectrogram, one pixel per column and row; made when first drawn

@@ -154,7 +154,7 @@ QString SoundBox::feltWords() const {
 void SoundBox::showStatus() {
   const SoundState sound = session_.player().sound();
   const QString text = soundWords();
-  // Figures change all the time; they are read, not watched.
+  // Figures change all the time, so they are shown only now and then.
   const bool figures = sound == SoundState::on && shownSound_ == SoundState::on;
   if (text != status_->text() && (!figures || steadyTime_s() - figuresAt_s_ > figuresEvery_s)) {
     status_->setText(text);

@@ -65,7 +65,7 @@ Result<Done> saveDocument(ButtonDocument& document, const QString& path) {
   const std::string text =
       jsonFrom(document.history().committed(), document.cutout(), document.annotations());
   if (auto written = writeTextFileAtomically(nativePath(absolute), text); !written) return written.failure();
-  // Of what was written, not of what is read back: between the two somebody else may write.
+  // The hash of the text written above, not of the file: another program may have changed the file since.
   document.setKnownContent(contentHash(QByteArray::fromStdString(text)));
   document.setPath(absolute);
   document.history().markSaved();
@@ -79,7 +79,7 @@ DiskState diskStateOf(const ButtonDocument& document) {
 }
 
 Result<Done> reloadDocument(ButtonDocument& document) {
-  // Before the file is read: what another program writes in between is then a change again.
+  // Taken before the file is read, so that a change by another program in between is noticed later.
   const QByteArray hash = contentHash(document.path());
   auto file = readWholeButtonFile(nativePath(document.path()));
   if (!file) return file.failure();

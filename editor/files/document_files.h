@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Documents in and out: what is opened, what is saved, and under which name.
+// Opens and saves documents, and finds names for them.
 
 #include <memory>
 #include <QString>

@@ -16,7 +16,7 @@ namespace detent::editor {
 /// Samples of one state in the CSV of the programs' contract (mm, N).
 QString csvText(const Button& button, std::size_t state);
 Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path);
-/// The same numbers for spreadsheets of countries with a decimal comma: fields parted by semicolons.
+/// As exportCsv, for spreadsheets of countries with a decimal comma: fields separated by semicolons.
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
 
 /// Travels in mm from what a person typed, units as shown: one number is a step from zero to the end, several
@@ -60,7 +60,7 @@ struct DeviceExport {
 };
 /// Failure: as playback::exportPress. Any thread.
 Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted);
-/// The same, written: all of its files or none.
+/// Writes these files, all or none.
 Result<Done> exportForDevice(const Button& button, const DeviceExport& wanted, const QString& path);
 
 }  // namespace detent::editor

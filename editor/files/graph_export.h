@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A graph as it is printed: what a person chooses, and the file it becomes. One drawing
-// (model/file/svg_plot.h) goes into SVG, PDF, PNG and onto paper, so that all of them show the same.
+// Exports a graph as chosen in the dialogue. One drawing (model/file/svg_plot.h) goes into SVG, PDF, PNG and
+// onto paper, so that all of them show the same.
 
 #include <optional>
 #include <QImage>

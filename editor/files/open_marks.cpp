@@ -64,7 +64,7 @@ void OpenMarks::take(ButtonDocument& document, Mark& mark) {
   mark.other.reset();
   if (!mark.path.isEmpty() && QDir().mkpath(folder_)) {
     auto lock = std::make_unique<QLockFile>(QDir(folder_).filePath(lockName(mark.path)));
-    lock->setStaleLockTime(0);  // stale only when its process is gone
+    lock->setStaleLockTime(0);  // a lock is stale only when its process is gone
     if (lock->tryLock(0)) {
       mark.lock = std::move(lock);
     } else {

@@ -35,7 +35,7 @@ RecoveryStore::RecoveryStore(QString folder, QObject* parent)
 RecoveryStore::~RecoveryStore() {
   writer_.waitForDone();
   if (!lock_) return;
-  QDir().rmdir(session_);  // only where it is empty
+  QDir().rmdir(session_);  // removes the folder only if it is empty
   lock_->unlock();
 }
 
@@ -133,7 +133,7 @@ QList<LeftBehind> RecoveryStore::leftBehind(QStringList* unreadable) {
     const QString session = QDir(folder_).filePath(name);
     if (session == session_) continue;
     auto lock = lockOf(session);
-    if (!lock->tryLock(0)) continue;  // its editor is running
+    if (!lock->tryLock(0)) continue;  // the editor of this folder is running
     const QStringList files = QDir(session).entryList({"*" + ending}, QDir::Files);
     for (const QString& fileName : files) {
       const QString file = QDir(session).filePath(fileName);

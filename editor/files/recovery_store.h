@@ -49,9 +49,9 @@ class RecoveryStore : public QObject {
 
   /// Watches until forget(); a document that is modified now is written soon.
   void watch(ButtonDocument& document);
-  /// Closed by the person: whatever it held is saved or given up, its file goes.
+  /// Deletes a button's recovery file, because the user has saved or discarded the changes.
   void forget(ButtonDocument& document);
-  /// Writes what waits and returns when it is on the disk.
+  /// Writes all pending changes and returns when they are on the disk.
   void flush();
 
   /// Documents of dead editors, newest first. They stay reserved for this editor until it ends. Files that

@@ -70,7 +70,7 @@ void ForecastBar::offer(const Found& found, const Button& searched) {
   searching_ = false;
   help_->setText(tr("Make &distinguishable…"));
   help_->setEnabled(confused_);
-  // Edited meanwhile: what was found no longer fits.
+  // The button was edited meanwhile, so the suggestions do not fit.
   if (!changed_ || !(changed_->button() == searched)) return;
   auto* menu = described(new QMenu(this), "suggestionMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);

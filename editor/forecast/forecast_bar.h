@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Below two compared buttons: whether people will tell them apart, live, and help if not.
+// Forecast below two compared buttons: whether people will tell them apart, and changes that would make them
+// distinguishable.
 
 #include <atomic>
 #include <memory>
@@ -17,7 +18,7 @@
 
 namespace detent::editor {
 
-/// GUI thread; computes beside it.
+/// GUI thread; forecasts are computed on another one.
 class ForecastBar : public QWidget {
   Q_OBJECT
 
@@ -25,7 +26,7 @@ class ForecastBar : public QWidget {
   explicit ForecastBar(QWidget* parent = nullptr);
   ~ForecastBar() override;  ///< gives up a running search
 
-  /// The pair to speak of; "make distinguishable" changes `changed`. Null: none.
+  /// Sets the pair; "make distinguishable" changes `changed`. Null: no pair.
   void setPair(ButtonDocument* changed, ButtonDocument* other);
 
  signals:

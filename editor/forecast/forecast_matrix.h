@@ -25,7 +25,7 @@ class ForecastMatrix : public QDialog {
   void setDocuments(const std::vector<ButtonDocument*>& documents);
 
  signals:
-  /// Two of them, to be laid over each other.
+  /// Two buttons are to be overlaid in the comparison.
   void compareRequested(detent::editor::ButtonDocument* a, detent::editor::ButtonDocument* b);
 
  protected:

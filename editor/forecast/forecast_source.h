@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Forecasts of confusion off the GUI thread: the latest request wins, what it overtook is given up.
+// Forecasts of confusion off the GUI thread. Only the latest request is answered; older ones are cancelled.
 
 #include <cstdint>
 #include <map>
@@ -25,7 +25,7 @@ enum class ForecastPairs : std::uint8_t {
 struct Forecast {
   std::uint64_t revision = 0;
   std::vector<playback::PredictedPair> pairs;
-  QString trouble;  ///< why there are none; empty otherwise
+  QString trouble;  ///< why there is no forecast; empty otherwise
 };
 
 /// One worker thread, begun with the first request. What a button feels like and what was said of a pair is
@@ -71,7 +71,7 @@ class ForecastSource : public QObject {
   FeltList kept_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, playback::PredictedPair> keptPairs_;
   std::uint64_t nextId_ = 0;
-  LatestAnswer<Wanted> answers_;  // last: its thread uses the others
+  LatestAnswer<Wanted> answers_;  // last member, because its thread uses the others
 };
 
 }  // namespace detent::editor

@@ -246,7 +246,7 @@ bool AdjustTool::release(const QMouseEvent& event) {
   view_.setMagnifier({});
   view_.setPreview({});
   if (done.moved) {
-    if (done.handle.kind == Kind::foundTick) {  // it is a given one now
+    if (done.handle.kind == Kind::foundTick) {  // a moved tick counts as given by hand
       active_ =
           PageHandle{Kind::givenTick, done.handle.axis, done.before.axis(done.handle.axis).ticks.size(), {}};
     }
@@ -425,7 +425,7 @@ void AdjustTool::paint(QPainter& painter) const {
       painter.setBrush(lit ? QColor("#00805c") : QColor(Qt::white));
       painter.drawRect(QRectF(handle.at - QPointF(half, half), QSizeF(2 * half, 2 * half)));
     } else if (drag_ && drag_->moved && handle.kind == Kind::point && *active_ == handle) {
-      continue;  // drawn where it goes
+      continue;  // the dragged mark is drawn at its new place
     } else if (lit && handle.kind != Kind::edge) {
       painter.setPen(QPen(colors.refused, 2));
       painter.setBrush(Qt::NoBrush);

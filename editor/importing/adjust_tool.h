@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Drags what was found: corners and edges of the plot frame, ticks of the axes, masks, points with a name.
+// Drags findings on the page: corners and edges of the plot frame, ticks of the axes, masks, named points.
 
 #include <optional>
 #include <vector>

@@ -186,7 +186,8 @@ void AxisBox::takeEnd(bool isMax) {
   if (other.value && other.shown == value.shown) return showRefusal(*edit, noLength());
   edit->setModified(false);
   const std::optional<double> otherShown = other.value ? std::optional(other.shown) : std::nullopt;
-  const bool bothTyped = otherShown && otherEdit->isModified();  // the other end waited for this one
+  // the other end was typed first and waited for this one
+  const bool bothTyped = otherShown && otherEdit->isModified();
   if (bothTyped) {
     otherEdit->setModified(false);
     showRefusal(*otherEdit, {});
@@ -308,9 +309,9 @@ void AxisBox::showEnds(const AxisCorrection& given, const std::optional<AxisEnds
     const QString text = givenEnd ? numberText(*givenEnd, 5)
                          : found  ? endText(foundEnd, std::abs(found->max - found->min))
                                   : QString();
-    if (text == edit.text()) return;  // what is selected there stays selected
+    if (text == edit.text()) return;  // keeps the selection in an unchanged field
     edit.setText(text);
-    if (edit.hasFocus()) edit.selectAll();  // what is typed next takes its place, not a place behind it
+    if (edit.hasFocus()) edit.selectAll();  // the next typed text replaces this one
   };
   show(*min_, minShown_, given.min, found ? found->min : 0);
   show(*max_, maxShown_, given.max, found ? found->max : 0);

@@ -15,7 +15,8 @@
 
 namespace detent::editor {
 
-/// Fields correct the current graph; what cannot be read stays as typed, with the reason. GUI thread.
+/// Fields that correct the axes of the current graph. A text that cannot be read stays as typed, with the
+/// reason. GUI thread.
 class AxisBox : public QGroupBox {
   Q_OBJECT
 
@@ -28,8 +29,8 @@ class AxisBox : public QGroupBox {
   /// The fields a person would be led to.
   QLineEdit* firstField() { return min_; }
   QComboBox* unitField() { return unit_; }
-  /// The first field whose text cannot be read, and what it says of it; null if all can. What was typed and
-  /// not yet taken is taken.
+  /// The first field whose text cannot be read, with the reason shown; null if all can be read. Applies
+  /// texts that were typed but not confirmed yet.
   QLineEdit* refusedField();
 
  signals:
@@ -68,7 +69,7 @@ class AxisBox : public QGroupBox {
   QWidget* direction_ = nullptr;
   QToolButton *rises_ = nullptr, *falls_ = nullptr;
   std::optional<GraphId> shownGraph_;
-  std::vector<QWidget*> ofPage_;               ///< what a force meter's log has no use for
+  std::vector<QWidget*> ofPage_;               ///< widgets that a force meter's log does not need
   std::optional<double> minShown_, maxShown_;  ///< as they stand, in the printed unit
 };
 

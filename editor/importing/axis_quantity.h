@@ -15,7 +15,7 @@ struct AxisQuantity {
   DisplayUnits units;  ///< the one of the axis is the printed one
 };
 
-/// `printedUnit` as AxisReading::unit; where it is none we know, numbers have no unit.
+/// `printedUnit` as AxisReading::unit; numbers of an unknown unit have no unit.
 AxisQuantity axisQuantity(GraphAxis axis, const std::string& printedUnit);
 
 /// An end of an axis that spans `span`, as it was read: to a thousandth of the axis, no finer than the page's

@@ -30,7 +30,7 @@ class BatchDialog : public QDialog {
   /// `view` must outlive it.
   BatchDialog(const ViewSettings& view, BatchActions actions, QWidget* parent = nullptr);
 
-  /// Imports these in place of what is listed.
+  /// Imports these files in place of the listed ones.
   void start(const QStringList& paths);
   void done(int result) override;
 

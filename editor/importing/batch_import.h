@@ -19,7 +19,7 @@ namespace detent::editor {
 /// Result of one graph, in words; of a file that cannot be read, of the file.
 struct BatchResult {
   GraphId graph;                 ///< page 0: the whole file
-  std::optional<Button> button;  ///< none: it was refused
+  std::optional<Button> button;  ///< none: the graph was refused
   double confidence = 0;         ///< 0..1, with a button
   QString question;              ///< would settle a refusal; with its choices
   QString reason;                ///< of a refusal, or why a button is not more certain

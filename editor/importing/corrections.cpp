@@ -40,7 +40,7 @@ std::optional<AxisEnds> throughAll(const std::vector<Placed>& points) {
     spread += (p.share - meanShare) * (p.share - meanShare);
     along += (p.share - meanShare) * (p.value - meanValue);
   }
-  constexpr double leastSpread = 1e-8;  // two places closer than this are one
+  constexpr double leastSpread = 1e-8;  // places closer than this count as one
   if (spread < leastSpread || along == 0) return {};
   const double perShare = along / spread;
   const double atStart = meanValue - perShare * meanShare;

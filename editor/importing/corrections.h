@@ -73,7 +73,7 @@ struct AxisEnds {
 /// Position of a point along an axis: 0 at the left/bottom edge, 1 at the right/top one, in the frame's
 /// perspective. Any finite point; corners must enclose an area (else empty).
 std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, importer::Point at);
-/// The place on the axis' edge with this share.
+/// The place with this share on the axis' edge of the frame.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
 
 /// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them.

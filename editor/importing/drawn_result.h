@@ -11,7 +11,7 @@
 
 namespace detent::editor {
 
-/// A tick as found: where it stands and what was read there.
+/// A tick as found: its position and the value read there.
 struct DrawnTick {
   importer::Point at;  ///< page units, on the axis
   double value = 0;
@@ -36,7 +36,7 @@ struct DrawnResult {
   std::vector<DrawnTick> xTicks, yTicks;
   std::vector<QPointF> xLines, yLines;  ///< ends of gridlines and ticks on the axes, to snap to
   std::optional<DrawnStroke> press, release;
-  std::vector<QPolygonF> traces;  ///< curves as traced, if no strokes came of them
+  std::vector<QPolygonF> traces;  ///< curves as traced, if they gave no strokes
   std::vector<DrawnMark> marks;
 };
 

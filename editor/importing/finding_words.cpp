@@ -21,7 +21,7 @@ struct CorrectionWords {
 constexpr const char* words(const char* text) { return text; }
 
 /// nullopt for what is not a correction.
-std::optional<CorrectionWords> wordsOf(RemedyKind kind) {
+std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
   switch (kind) {
     case RemedyKind::giveFrame:
       return {{words("draw the plot frame, or drag its corners onto the ends of the axes"),
@@ -54,7 +54,7 @@ std::optional<CorrectionWords> wordsOf(RemedyKind kind) {
 }
 
 QString instruction(RemedyKind kind) {
-  const auto text = wordsOf(kind);
+  const auto text = correctionWordsOf(kind);
   return text ? tr(text->instruction) : QString();
 }
 
@@ -101,7 +101,7 @@ void addWords(Advice& advice, const Remedies& remedies, const DisplayUnits& unit
 
 }  // namespace
 
-bool isCorrection(RemedyKind kind) { return wordsOf(kind).has_value(); }
+bool isCorrection(RemedyKind kind) { return correctionWordsOf(kind).has_value(); }
 
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies) {
   std::vector<RemedyKind> corrections;
@@ -155,7 +155,7 @@ QString inWords(const importer::Question& question) {
 }
 
 QString textOnButton(RemedyKind correction) {
-  const auto text = wordsOf(correction);
+  const auto text = correctionWordsOf(correction);
   return text ? tr(text->button) : QString();
 }
 

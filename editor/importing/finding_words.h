@@ -19,13 +19,13 @@ struct Advice {
 /// `documentName` is left out of the sentence: the dialogue shows it anyway.
 Advice adviceFor(const Failure& failure, const QString& documentName, const DisplayUnits& units = modelUnits);
 
-/// A doubt with these corrections: what is already given need not be advised again.
+/// Advice for a doubt with these corrections; corrections that are already given are not advised again.
 Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
                  const DisplayUnits& units = modelUnits);
 
 /// Returns true if the dialogue has a control for it.
 bool isCorrection(RemedyKind kind);
-/// The corrections among them, in their order.
+/// The remedies for which the dialogue has a control, in their order.
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies);
 
 QString inWords(const importer::Remark& remark, const DisplayUnits& units);
@@ -42,9 +42,9 @@ QString textOnButton(RemedyKind correction);
 /// evidence. Empty if it is certain.
 QString causeOf(const importer::ImportReport& report, const DisplayUnits& units);
 
-/// "Plot frame": of what a step's finding speaks.
+/// "Plot frame": name of a step's result.
 QString nameOfFinding(importer::ImportStep step);
-/// "tracing": beside the time it took.
+/// "tracing": name of a step, shown beside its time.
 QString nameOfWork(importer::ImportStep step);
 /// "Tracing the curves …".
 QString inProgress(importer::ImportStep step);

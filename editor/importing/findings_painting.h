@@ -18,7 +18,7 @@ struct FindingsPicture {
   const Corrections& given;
   std::optional<FrameCorners> corners;
   QTransform pageToWidget;
-  DisplayUnits units;  ///< of the labels: those printed on the page
+  DisplayUnits units;  ///< units of the labels: those printed on the page
   bool stale = false;  ///< a newer result is being computed, or failed: curves are drawn paler
 };
 

@@ -15,8 +15,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr int least_px = 270, mostOfLeast_px = 300;  // beyond that it scrolls sideways in a narrow window
-constexpr int usual_px = 340;                        // where there is room nothing has to wrap
+constexpr int least_px = 270, mostOfLeast_px = 300;  // in a narrower window the panel scrolls sideways
+constexpr int usual_px = 340;                        // width from which no text has to wrap
 
 }  // namespace
 
@@ -116,7 +116,7 @@ QGroupBox* FindingsPanel::frameBox() {
   return box;
 }
 
-// One answer changes several things: they are shown together, once.
+// Changes by one answer are shown together, once.
 void FindingsPanel::connectState() {
   soon_.setSingleShot(true);
   soon_.setInterval(0);

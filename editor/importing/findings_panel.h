@@ -26,7 +26,7 @@ class FindingsPanel : public QScrollArea {
   /// Both must outlive it.
   FindingsPanel(ImportState& state, ViewSettings& settings, QWidget* parent = nullptr);
 
-  /// Puts the keyboard on the field that does it.
+  /// Moves the keyboard focus to the field for an axis' values.
   void focusField(GraphAxis axis);
   void focusUnit(GraphAxis axis);
   void focusDpi();

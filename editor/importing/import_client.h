@@ -22,14 +22,15 @@ class ImportClient : public QObject {
   Q_OBJECT
 
  public:
-  using Ticket = quint64;  ///< 0 is none
+  using Ticket = quint64;  ///< 0: no request
 
   explicit ImportClient(QObject* parent = nullptr);
   ~ImportClient() override;
   ImportClient(const ImportClient&) = delete;
   ImportClient& operator=(const ImportClient&) = delete;
 
-  /// Queued after what is as urgent. The answer comes as `answered`, unless the ticket is forgotten.
+  /// Queues a query behind those of the same urgency. The answer comes as `answered`, unless the ticket is
+  /// forgotten.
   Ticket ask(Query query, Urgency urgency);
   /// Drops a query whose answer is not wanted any more, and stops it if it runs. Unknown tickets and 0 are
   /// ignored.

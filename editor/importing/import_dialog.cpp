@@ -357,7 +357,7 @@ void ImportDialog::Impl::build() {
   QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
   QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
   QObject::connect(stop, &QPushButton::clicked, &state, &ImportState::cancel);
-  // A refused field would come in with its previous value.
+  // Without this check a refused field would count with its previous value.
   QObject::connect(accept, &QPushButton::clicked, &state, [this] {
     if (view->takeEditor() && findings->acceptable()) state.acceptAll();
   });
@@ -528,7 +528,8 @@ void ImportDialog::Impl::showAdvice() {
     return say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
   }
   if (several) return say(AdviceBar::Tone::note, adviceOnSwitches(*graph));
-  // While a graph is read again, what was said of it stands; what was said before it was there does not.
+  // While a graph is read again, the advice of its previous result stays; the first reading of a graph
+  // clears the advice of another one.
   if (graph->pending == 0 || !graph->last) clearAdvice();
 }
 

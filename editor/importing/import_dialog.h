@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The way from a datasheet to a button: pages and graphs, what was found drawn over the page, and every
-// finding open to correction.
+// The dialogue that turns a datasheet into a button: pages and graphs, findings drawn over the page, and
+// corrections of every finding.
 
 #include <functional>
 #include <memory>
@@ -42,9 +42,9 @@ class ImportDialog : public QDialog {
  signals:
   /// Emitted once per accepted graph. Shared and never changed.
   void imported(std::shared_ptr<const importer::ImportReport> report);
-  /// This file could be read.
+  /// A file was opened.
   void opened(const QString& path);
-  /// This one could not.
+  /// A file could not be read.
   void unreadable(const QString& path);
   /// draft() is another one now, or may be.
   void draftChanged();

@@ -16,7 +16,7 @@ namespace detent::editor {
 struct DraftGraph {
   GraphId id;
   Corrections corrections;
-  bool framedByHand = false;  ///< it was not found: it is there because a frame was drawn
+  bool framedByHand = false;  ///< the frame was drawn by the user, not found
   friend bool operator==(const DraftGraph&, const DraftGraph&) = default;
 };
 
@@ -25,7 +25,7 @@ struct ImportDraft {
   QString picture;  ///< file of a pasted picture; empty for a sheet
   importer::Quality quality = importer::Quality::standard;
   std::optional<GraphId> current;
-  std::vector<DraftGraph> graphs;  ///< those with corrections
+  std::vector<DraftGraph> graphs;  ///< graphs with corrections
   /// Returns true if nothing would be lost with it.
   bool empty() const { return graphs.empty(); }
   friend bool operator==(const ImportDraft&, const ImportDraft&) = default;

@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int thumbnailSide_px = 320;  // twice what is shown: for screens with two pixels per point
+constexpr int thumbnailSide_px = 320;  // twice the shown size, for screens with two pixels per point
 // Larger pictures are scaled down for the screen, never for the import.
 constexpr int sheetSide_px = 3200, viewSide_px = 2000;
 
@@ -55,7 +55,7 @@ Result<importer::ImportSession> openPasted(const OpenPicture& query) {
 
 Answer ImportAnswers::answer(const Query& query, const importer::Progress& progress) {
   if (const auto* file = std::get_if<OpenFile>(&query)) {
-    session_.reset();  // its memory first
+    session_.reset();  // frees the memory of the previous file first
     return open(importer::ImportSession::open(QFile::encodeName(file->path).toStdString()),
                 QFileInfo(file->path).fileName());
   }

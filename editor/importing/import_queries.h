@@ -74,7 +74,7 @@ struct FoundGraphs {
 };
 struct ImportedGraph {
   GraphId graph;
-  std::shared_ptr<const importer::ImportReport> report;  ///< null if it failed
+  std::shared_ptr<const importer::ImportReport> report;  ///< null if the import failed
   std::optional<Failure> failure;                        ///< then
   std::shared_ptr<const importer::GraphEvidence>
       evidence;      ///< how far it came; null if no frame was read, and for logs

@@ -156,7 +156,7 @@ std::optional<FrameCorners> ImportGraph::corners() const {
   if (!listed) return {};
   const importer::Box& box = listed->frame;
   FrameCorners corners{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
-  // Upright is what a reader sees after the page's quarter turns.
+  // Upright means after the page's quarter turns, as a reader sees it.
   std::rotate(corners.begin(), corners.begin() + (4 - listed->quarterTurns) % 4, corners.end());
   return corners;
 }
@@ -544,7 +544,7 @@ void ImportState::selectNext(int by) {
   if (all.empty()) return;
   auto at = std::lower_bound(all.begin(), all.end(), current_.value_or(GraphId{currentPage_, 0}));
   std::ptrdiff_t next = at - all.begin() + by;
-  if (!current_ && by > 0) --next;  // from a page without one: the first one after it
+  if (!current_ && by > 0) --next;  // the current page has no graph: the first one after it
   selectGraph(all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, std::ssize(all) - 1))]);
 }
 
@@ -660,7 +660,7 @@ void ImportState::giveOut(ImportGraph& graph, const std::string& curve) {
   graph.tickedCurves.erase(curve);
   if (graph.tickedCurves.empty()) graph.ticked = false;
   const auto report = graph.last->report;
-  if (current_ != graph.id) graph.letResultGo();  // whoever took it keeps it
+  if (current_ != graph.id) graph.letResultGo();  // the receiver owns the result now
   emit accepted(report);
 }
 
@@ -668,7 +668,7 @@ void ImportState::acceptNext() {
   while (!toAccept_.empty()) {
     const Wanted wanted = toAccept_.front();
     ImportGraph& graph = graphs_.at(wanted.graph);
-    if (graph.pending != 0) return;  // goes on with its answer
+    if (graph.pending != 0) return;  // goes on when the answer arrives
     if (!wanted.curve.empty()) choose(graph, wanted.curve);
     const bool answered =
         graph.requested && graph.requestedWith == graph.history.now() && graph.requestedQuality == quality_;

@@ -23,7 +23,7 @@ struct ImportPage {
   QImage thumbnail;  ///< null until it was drawn
   QRectF bounds;     ///< page units
   bool searched = false;
-  std::optional<Failure> failure;  ///< it cannot be read
+  std::optional<Failure> failure;  ///< reason why the page cannot be read
   std::vector<importer::RejectedFrame> rejected;
   ImportClient::Ticket thumbnailTicket = 0, searchTicket = 0;
 };
@@ -37,8 +37,8 @@ struct ResultBrief {
 
 /// One of several switches in a plot.
 struct SwitchChoice {
-  std::string
-      curve;  ///< Corrections::curve that takes it: its name, or its number where names do not tell it
+  /// value of Corrections::curve that takes this switch: its name, or its number if several have that name
+  std::string curve;
   const importer::PlotSwitch* itself = nullptr;  ///< lives as long as the result it came with
 };
 
@@ -48,8 +48,8 @@ struct ImportGraph {
   std::optional<importer::ListedGraph> listed;  ///< empty if framed by hand, and for a force meter's log
   QImage thumbnail;
   bool ticked = false;  ///< to be imported with the others
-  std::set<std::string>
-      tickedCurves;        ///< of several switches in it those to be imported, by Corrections::curve
+  /// names or numbers (Corrections::curve) of the switches to be imported, if the graph has several
+  std::set<std::string> tickedCurves;
   bool confirmed = false;  ///< a person has checked the doubtful result against the page
   CorrectionHistory history;
 
@@ -57,7 +57,7 @@ struct ImportGraph {
   std::shared_ptr<const ImportedGraph> good;  ///< newest answer with a report; stays while later ones fail
   std::shared_ptr<const ImportedGraph> unmarked;  ///< `good` without the points given by hand
   std::vector<Failure> refusedMarks;  ///< of `good`: points that the curve does not allow where they were put
-  std::optional<ResultBrief> letGo;   ///< of the results before these
+  std::optional<ResultBrief> letGo;   ///< figures of the result before
   std::optional<FoundAxes> found;     ///< ticks and corners as found, to which "reset" goes back
   std::optional<importer::AxisReading> foundX, foundY;
 
@@ -78,7 +78,7 @@ struct ImportGraph {
   std::optional<ResultBrief> brief() const;
   /// Keeps the brief only; the result is requested again when it is shown.
   void letResultGo();
-  /// A finished report for exactly what is set now.
+  /// Returns true if there is a report for exactly the present settings.
   bool upToDate(importer::Quality quality) const;
 };
 
@@ -127,7 +127,7 @@ class ImportState : public QObject {
   void tickAll();
   /// The graph that many further in reading order, over page ends; stops at the first and the last.
   void selectNext(int by);
-  /// These thumbnails are read next.
+  /// Thumbnails of these pages are read first.
   void setVisiblePages(int first, int last);
 
   importer::Quality quality() const { return quality_; }
@@ -184,7 +184,7 @@ class ImportState : public QObject {
   /// A requested graph, or one of the switches in it.
   struct Wanted {
     GraphId graph;
-    std::string curve;  ///< empty: as its corrections say
+    std::string curve;  ///< empty: the curve that the corrections choose
   };
   std::vector<Wanted> ticked() const;
   bool isUsable(const ImportGraph& graph) const;

@@ -9,7 +9,7 @@
 namespace detent::editor {
 namespace {
 
-// Of a jump that is added: shares of the travel and of the force there.
+// size of an added jump: share of the travel, and of the force there
 constexpr double newJumpWidth = 0.05, newJumpDrop = 0.1;
 
 using CorrectionKind = MarkCorrection::Kind;
@@ -55,7 +55,7 @@ std::optional<std::size_t> nearestTactile(const StrokeCurve& curve, Stroke strok
 Result<StrokeCurve> withTactileMoved(const StrokeCurve& curve, Stroke stroke, const PageUnits& units,
                                      CurvePoint from, std::optional<CurvePoint> to) {
   const auto index = nearestTactile(curve, stroke, from, units);
-  if (!index) return curve;  // it is not found any more: nothing to move
+  if (!index) return curve;  // the point is not found any more, so there is nothing to move
   return to ? moveTactilePoint(curve, stroke, *index, *to) : removeJump(curve, stroke, *index);
 }
 
@@ -183,7 +183,7 @@ std::vector<MarkCorrection> withMark(std::vector<MarkCorrection> given, MarkCorr
     given.push_back(next);
     return given;
   }
-  // One that was put somewhere by hand goes on from there.
+  // A point that was moved before starts from its corrected place.
   for (std::size_t i = 0; i < given.size(); ++i) {
     MarkCorrection& mark = given[i];
     if (mark.kind != CorrectionKind::tactile || mark.stroke != next.stroke || !mark.to || !next.from ||

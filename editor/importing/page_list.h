@@ -10,7 +10,7 @@ namespace detent::editor {
 
 class PageListModel;
 
-/// Pages come first as blanks and fill as they are read; what is in sight is read first.
+/// List of pages: blank at first, filled as pages are read; visible pages are read first.
 class PageList : public QListView {
   Q_OBJECT
 

@@ -13,7 +13,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr qint64 largestSheet_bytes = qint64(1) << 30;  // what no datasheet is; hashing it would take long
+constexpr qint64 largestSheet_bytes = qint64(1) << 30;  // no datasheet is larger; hashing would take long
 
 QString placeKey(const Provenance& provenance) {
   return QStringLiteral("sheets/") + QString::fromStdString(provenance.sourceSha256);

@@ -58,7 +58,7 @@ class PageReturn : public QObject {
     QString path;  ///< of the sheet; empty: none of the places held it
     std::optional<PlacedPage> page;
     std::shared_ptr<const importer::ImportReport> report;
-    std::optional<Failure> failure;  ///< of reading it again
+    std::optional<Failure> failure;  ///< why the page could not be read again
   };
   /// Searches the locations, lays the page, and reads it again if that cannot be done or `traced` is wanted.
   static Answer findAndRead(const Button& button, const QStringList& folders, bool traced,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Mouse and keys on the page, one small class per tool. A tool sees the view it works on and nothing else;
-// what it decides goes to ImportState as one step.
+// Tools for mouse and keys on the page, one small class each. A tool knows only the view it works on, and
+// changes ImportState in one step.
 
 #include <memory>
 #include <QCursor>

@@ -74,7 +74,7 @@ class ScaleTool : public PageTool {
   struct Target {
     GraphAxis axis = GraphAxis::x;
     importer::Point at;
-    bool isOrigin = false;  ///< where both axes begin
+    bool isOrigin = false;  ///< true if both axes begin here
   };
 
   /// The other end of the gridline through the target.
@@ -113,7 +113,7 @@ class ScaleTool : public PageTool {
   std::optional<Target> target_;
 };
 
-/// A rectangle from corner to corner; what it means is the subclass'.
+/// A rectangle from corner to corner; subclasses decide its use.
 class RectangleTool : public PageTool {
  public:
   using PageTool::PageTool;

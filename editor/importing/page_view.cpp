@@ -25,7 +25,7 @@ constexpr double leastZoom = 0.02, mostZoom = 200;  // widget pixels per page un
 
 constexpr int valueField_px = 96;
 
-// Where one was set at this place already it is that one's value.
+// Sets a tick. If one exists at this place, its value is replaced.
 void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size_t> replaces = {}) {
   auto same = std::find_if(axis.ticks.begin(), axis.ticks.end(),
                            [&](const AxisTick& other) { return other.at == tick.at; });
@@ -291,7 +291,7 @@ void PageView::ask(const TypedValue& field) {
     emit hint(why);
   });
   connect(editor, &QLineEdit::editingFinished, editor, [editor] {
-    if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is not a number leaves it open
+    if (!editor->hasFocus()) editor->deleteLater();  // Enter leaves the field open if its text is no number
   });
 }
 

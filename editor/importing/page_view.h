@@ -50,7 +50,7 @@ class PageView : public QWidget {
   // -- what tools need --
   ImportState& state() { return state_; }
   const ImportState& state() const { return state_; }
-  /// Corrections being dragged, else those in force.
+  /// Corrections as being dragged, otherwise as stored.
   const Corrections& shown() const;
   void setPreview(const std::optional<Corrections>& preview);
   bool hasPreview() const { return preview_.has_value(); }
@@ -62,8 +62,8 @@ class PageView : public QWidget {
   /// A point kept on the page.
   importer::Point onPage(importer::Point page) const;
   GraphColors colors() const;
-  /// Of the labels: those of the page's axes, so that a person can compare both; without a graph, those
-  /// shown.
+  /// Units of the labels: those of the page's axes, so that a person can compare both; without a graph, the
+  /// display units.
   DisplayUnits units() const;
   /// Colour of the mark nearest to a point: the pixel that differs most from the background around it.
   std::optional<QColor> curveColorAt(QPointF widget) const;
@@ -72,7 +72,7 @@ class PageView : public QWidget {
   void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
   /// Asks for the value that both axes have in the corner where they meet: one step sets a tick on each.
   void askOrigin(importer::Point at);
-  /// Says something about what was tried, where the tool's hint stands.
+  /// Shows a sentence about the attempted action in place of the tool's hint.
   void say(const QString& sentence) { emit hint(sentence); }
   /// Marks the axis that is in question; nullopt: none.
   void setDoubt(std::optional<GraphAxis> axis);
@@ -83,7 +83,7 @@ class PageView : public QWidget {
 
  signals:
   void toolChanged(PageToolKind kind);
-  void hint(const QString& text);  ///< what the tool does, and why something was refused
+  void hint(const QString& text);  ///< effect of the tool, or the reason of a refusal
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -115,8 +115,8 @@ class PageView : public QWidget {
   bool closeEditor();  ///< of a tick's value; false if none is open
   void takeResult();
   void takeCurrent();
-  void refit();       ///< under a running gesture it waits for endGesture
-  void endGesture();  ///< does what a gesture held up, if none is running any more
+  void refit();       ///< waits for endGesture while a gesture runs
+  void endGesture();  ///< does delayed work, unless another gesture is running
   void fitRect(QRectF page, double margin);
   void setTransform(const QTransform& pageToWidget);
   QRectF pageBounds() const;
@@ -143,7 +143,7 @@ class PageView : public QWidget {
   std::shared_ptr<const ImportedGraph> drawnFrom_;  ///< good result the curves come from
   QTransform pageToWidget_;
   Fit fit_ = Fit::graph;
-  bool fitDue_ = false;  ///< a running gesture held it up
+  bool fitDue_ = false;  ///< a refit waits for the end of a gesture
   QPointF inWindow_;     ///< of the top left corner, when the gesture began or was last moved
   std::optional<GraphId> fitted_;
   int fittedPage_ = 0;

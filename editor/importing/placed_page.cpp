@@ -16,7 +16,7 @@ constexpr double margin = 0.15;       // of the frame's longer side, as much as 
 constexpr int largestSide_px = 2000;  // as the import's own view
 constexpr int samplesOfCurve = 96;
 constexpr int nearCurve_px = 2,
-              background_px = 9;   // a curve is searched this near, its background is the pixels this near
+              background_px = 9;   // half width of the search for a curve, and of its background
 constexpr int leastContrast = 60;  // of 255, in one channel
 
 /// What the frame spans: displacement to the right, force upwards.
@@ -117,7 +117,7 @@ std::optional<PlacedPage> placedPage(const Button& button, const importer::Docum
         shareOnCurve(button.states().front().graph.press(), placed.picture, pixelToAxes.inverted());
     if (share < best) continue;
     lies = true;
-    best = share + 1e-9;  // of equals the first: pages seldom lie on their side
+    best = share + 1e-9;  // of equally good orientations the first, because pages seldom lie on their side
     placed.pixelToAxes = pixelToAxes;
   }
   return lies ? std::optional(std::move(placed)) : std::nullopt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page of a button, laid behind its curves by what its file says of frame and axes: nothing is read or
-// traced anew.
+// The page of a button, placed behind its curves by the frame and axes that its file states; nothing is read
+// or traced again.
 
 #include <optional>
 

@@ -18,7 +18,7 @@ class ResultBox : public QGroupBox {
   /// `settings` must outlive it.
   explicit ResultBox(ViewSettings& settings, QWidget* parent = nullptr);
 
-  /// Null: there is none.
+  /// Shows a report; null: no result.
   void follow(const importer::ImportReport* report, const std::vector<Failure>& refusedMarks);
 
  private:

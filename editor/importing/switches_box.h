@@ -19,7 +19,7 @@ class SwitchesBox : public QGroupBox {
   /// `state` must outlive it.
   explicit SwitchesBox(ImportState& state, QWidget* parent = nullptr);
 
-  /// Shows what the current graph holds.
+  /// Shows the switches of the current graph.
   void follow();
 
  private:

@@ -15,8 +15,8 @@
 
 namespace detent::editor {
 
-/// Ticks at first the buttons of the same kind as the current one: as many states and tactile points. Buttons of
-/// different kinds have no average. Works on copies. GUI thread.
+/// Ticks at first the buttons of the same kind as the current one: as many states and tactile points.
+/// Buttons of different kinds have no average. Works on copies. GUI thread.
 class AverageDialog : public QDialog {
   Q_OBJECT
 

@@ -69,7 +69,7 @@ void ComparePanel::build() {
   split_->setChildrenCollapsible(false);
   split_->addWidget(plotSide());
   split_->addWidget(figureSide());
-  split_->setStretchFactor(0, 1);  // the graphs take what a larger window has more
+  split_->setStretchFactor(0, 1);  // the graphs take the additional space of a larger window
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(split_);
@@ -81,7 +81,7 @@ QWidget* ComparePanel::plotSide() {
   plot_ = described(new ComparePlot, "comparePlot", {}, tr("Overlaid force graphs"));
   plot_->setMinimumHeight(leastPlot_px);
   reading_ = wrappingLabel("compareReading");
-  reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
+  reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing moves when the text appears
   connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
     reading_->setText(reading.isEmpty()
                           ? tr("Point at the graph to read values; click to pin a cursor and read "
@@ -143,7 +143,7 @@ QWidget* ComparePanel::figureSide() {
   column->addLayout(below);
   column->addWidget(distance_);
   column->addWidget(forecast_);
-  // Where there is no room for all of it, it scrolls.
+  // The content scrolls if it has too little room.
   auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Comparison table"));
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -221,7 +221,7 @@ void ComparePanel::removeLast() {
   update();
 }
 
-// The first that is not among them yet.
+// Adds the first open button that is not compared yet.
 void ComparePanel::addNext() {
   const auto next = std::ranges::find_if(documents_, [this](auto* document) { return !compares(*document); });
   if (!documents_.empty()) add(next != documents_.end() ? *next : documents_.front());
@@ -392,7 +392,7 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   layOutTable();
 }
 
-// Numbers have the room they need; what is left goes to the names above them, then to those of the rows.
+// Numbers get the width they need; the rest goes to the names above them, then to those of the rows.
 void ComparePanel::layOutTable() {
   const int columns = table_->columnCount();
   if (columns < 3 || table_->rowCount() == 0) return;

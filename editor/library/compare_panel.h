@@ -36,14 +36,14 @@ class ComparePanel : public QWidget {
   explicit ComparePanel(ViewSettings& settings, QWidget* parent = nullptr);
   ~ComparePanel() override;
 
-  /// The buttons that can be chosen. One that is no longer among them is let go of.
+  /// Sets the buttons that can be chosen. A compared button that is not among them is dropped.
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   void compare(ButtonDocument* first, ButtonDocument* second);
   /// True if the button is one of those compared.
   bool compares(const ButtonDocument& document) const;
-  /// These and no others, at most `mostSides`; of one alone there are two sides.
+  /// Compares exactly these, at most `mostSides`; a single one is shown on both sides.
   void compare(std::vector<ButtonDocument*> documents);
-  /// One more beside those compared.
+  /// Adds a button to those compared.
   void add(ButtonDocument* document);
 
   /// The table with units as CSV text; for the clipboard.
@@ -62,7 +62,7 @@ class ComparePanel : public QWidget {
  private:
   /// The choice of one side.
   struct Side {
-    QChar letter;  ///< names its widgets
+    QChar letter;  ///< part of the names of the row's widgets
     QWidget* row = nullptr;
     QLabel* swatch = nullptr;
     QComboBox* button = nullptr;

@@ -61,7 +61,7 @@ void ComparePlot::fitTicks() {
   if (changed) replot(rpQueuedReplot);
 }
 
-// Names side by side: what has no room is shortened in its middle.
+// Puts names side by side; names without enough room are shortened in their middle.
 void ComparePlot::fitNames(int width_px) {
   if (graphs_.empty()) return;
   const int inLine = std::min(namesInLine, static_cast<int>(graphs_.size()));
@@ -184,8 +184,8 @@ std::unique_ptr<ComparePlot> ComparePlot::forPicture(QSize size) const {
   plot->setGraphs(graphs_, units_);
   plot->xAxis->setRange(xAxis->range());
   plot->yAxis->setRange(yAxis->range());
-  plot->replot();  // the room of its axes is known,
-  plot->replot();  // and their numbers are as many as it has room for
+  plot->replot();  // determines the room of the axes
+  plot->replot();  // draws as many numbers as fit into that room
   return plot;
 }
 

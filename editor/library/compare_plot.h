@@ -31,7 +31,7 @@ class ComparePlot : public QCustomPlot {
   void setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnits& units);
   /// Values of all graphs at the cursor, differences to the pinned one; empty while the pointer is elsewhere.
   QString reading() const;
-  /// Below the graphs: what each has more than the first, where both are.
+  /// Shows below the graphs the difference of each to the first, where both have values.
   void showDifferences(bool shown);
   /// Light, with names, of the requested width; changes nothing that is shown.
   QImage picture(QSize size_px = {1800, 1200}, double devicePixelRatio = 2) const;

@@ -60,7 +60,8 @@ void OpenButtonsModel::setDocuments(const std::vector<ButtonDocument*>& document
     return std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.document == document; });
   };
   for (const Row& row : rows_)
-    if (!kept(row.document)) pictures_.forget(row.key);  // the document may be gone: it is not touched
+    // the document may be deleted, so only its key is used
+    if (!kept(row.document)) pictures_.forget(row.key);
   std::erase_if(waiting_, [&](ButtonDocument* document) { return !kept(document); });
   rows_ = std::move(rows);
   endResetModel();

@@ -85,7 +85,8 @@ QWidget* LibraryPanel::openSection() {
   title->setBuddy(openList_);
   layout->addWidget(openList_);
   const auto choose = [this](const QModelIndex& index) {
-    if (openList_->selectionModel()->selectedIndexes().size() > 1) return;  // they are being gathered
+    // the user is selecting several buttons
+    if (openList_->selectionModel()->selectedIndexes().size() > 1) return;
     if (ButtonDocument* document = open_.documentAt(index)) emit documentChosen(document);
   };
   connect(openList_, &QListView::clicked, this, choose);

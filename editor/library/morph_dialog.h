@@ -19,7 +19,8 @@ namespace detent::editor {
 
 class ComparePlot;
 
-/// Works on copies: what is edited meanwhile stays out. GUI thread; forecasts are computed beside it.
+/// Works on copies, so later edits of the buttons have no effect. GUI thread; forecasts are computed beside
+/// it.
 class MorphDialog : public QDialog {
   Q_OBJECT
 
@@ -28,7 +29,7 @@ class MorphDialog : public QDialog {
   MorphDialog(std::vector<Button> buttons, std::size_t first, const DisplayUnits& units,
               QWidget* parent = nullptr);
 
-  /// The button the slider stands at; empty while there is none between the two chosen.
+  /// The button at the slider's position; empty if the two chosen buttons cannot be blended.
   const std::optional<Button>& between() const { return between_; }
 
  protected:

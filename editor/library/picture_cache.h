@@ -36,7 +36,7 @@ class PictureCache : public QObject {
   /// The reason why a file has no picture: a sentence for a tool tip, empty if it has one.
   QString trouble(const QString& path) const;
 
-  /// Colours and pixel ratio of the pictures made from now on; what was made with others is dropped.
+  /// Sets colours and pixel ratio of the pictures; pictures made with other ones are dropped.
   void setDrawing(const GraphColors& colors, double devicePixelRatio);
 
  signals:

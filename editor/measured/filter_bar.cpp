@@ -91,7 +91,7 @@ void FilterBar::addRange() {
 void FilterBar::remove(QWidget* row) {
   std::erase_if(ranges_, [&](const Range& each) { return each.row == row; });
   row->hide();
-  row->deleteLater();  // it is its own button that asks
+  row->deleteLater();  // later, because the click comes from a button inside this row
   add_->setEnabled(true);
   emit changed();
 }

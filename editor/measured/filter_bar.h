@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where a person says which measured switches are shown: words, kind, figures from … to ….
+// Chooses the measured switches that are shown: by words, kind, and figures from … to ….
 
 #include <memory>
 #include <optional>
@@ -27,7 +27,7 @@ class FilterBar : public QWidget {
   SwitchFilter filter() const;
   /// From now on numbers typed without a unit are in these.
   void setUnits(const DisplayUnits& units);
-  /// One more figure with both ends open.
+  /// Adds a range of a figure with both ends open.
   void addRange();
   bool empty() const;
   void clear();

@@ -24,14 +24,14 @@ class LibrarySource : public QObject {
 
  public:
   explicit LibrarySource(QObject* parent = nullptr);
-  ~LibrarySource() override;  ///< cancels what runs, and waits for it
+  ~LibrarySource() override;  ///< cancels running work and waits for it
 
-  /// `loaded` or `failed` follows. A library that cannot be read, as that of another version of the program,
-  /// is made anew from folders, where some are given: then as index().
+  /// Loads a library; `loaded` or `failed` follows. A library that cannot be read, for example that of
+  /// another version, is rebuilt from `orFrom`'s folders as by index().
   void load(const QString& database, LibraryRequest orFrom = {});
   /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
   void index(LibraryRequest request);
-  /// Ends an index run; what was read stays read, and is loaded.
+  /// Ends an index run; files read so far are kept and loaded.
   void cancel();
   /// `opened` or `failed` follows for each, in this order.
   void open(const std::vector<importer::LibrarySwitch>& entries);
@@ -52,7 +52,7 @@ class LibrarySource : public QObject {
   void run(std::function<void()> work);
 
   std::atomic<bool> cancelled_{false};
-  QThreadPool worker_;  // last: its thread uses the others
+  QThreadPool worker_;  // last member, because its thread uses the others
 };
 
 }  // namespace detent::editor

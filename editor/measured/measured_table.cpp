@@ -130,7 +130,7 @@ void MeasuredTable::order() {
     std::ranges::stable_sort(shown_, {}, [&](SwitchIndex each) { return distances_[each]; });
     return;
   }
-  if (sortColumn_ < 0) return;  // as the library gives them: by name
+  if (sortColumn_ < 0) return;  // in the library's order: by name
   if (const auto figure = figureOf(sortColumn_))
     return orderBy([&](SwitchIndex each) { return entries[each].figures[*figure]; });
   if (sortColumn_ == distanceColumn) return orderBy([&](SwitchIndex each) { return distanceOf(each); });

@@ -20,7 +20,7 @@ struct MeasuredSwitches {
   importer::RatingsByName ratings = importer::RatingsByName({});
 };
 
-/// A switch among those of the library: its index there. Rows are what is shown of them.
+/// Index of a switch in the library. The rows of the table are a part of these.
 using SwitchIndex = std::size_t;
 
 /// The name is the row's header. GUI thread.
@@ -45,7 +45,8 @@ class MeasuredTable : public QAbstractTableModel {
   void setSwitches(std::shared_ptr<const MeasuredSwitches> switches);
   void setUnits(const DisplayUnits& units);
   void setFilter(SwitchFilter filter);
-  /// Distances of all to this shape; without one there are none. Where no column sorts, the nearest is first.
+  /// Computes the distances of all switches to this shape; without one there are none. If no column sorts,
+  /// the nearest is first.
   void rankBy(const std::optional<importer::FeltShape>& like);
   /// Forecast of one switch, in a few words.
   void setForecast(SwitchIndex of, const QString& words);
@@ -59,7 +60,7 @@ class MeasuredTable : public QAbstractTableModel {
   std::optional<double> distanceOf(SwitchIndex of) const;
   /// Spread of all records of that switch by its laboratory.
   importer::SwitchSpread spreadOf(SwitchIndex of) const;
-  /// Ratings of a switch of that name.
+  /// Ratings of switches with this switch's name.
   std::vector<importer::Rating> ratingsOf(SwitchIndex of) const;
   bool ranked() const { return !distances_.empty(); }
 

@@ -50,9 +50,9 @@ class NoGrips : public QProxyStyle {
   }
 };
 
-QLabel* wordsOf(const char* name) {
+QLabel* namedText(const char* name) {
   QLabel* label = wrappingLabel(QString::fromLatin1(name));
-  label->setTextFormat(Qt::PlainText);  // files name themselves what they like
+  label->setTextFormat(Qt::PlainText);  // names of files may contain markup
   return label;
 }
 
@@ -69,11 +69,11 @@ MeasuredWindow::MeasuredWindow(MeasuredContext context, QWidget* parent)
   setWindowTitle(tr("Measured switches"));
   setWindowFlag(Qt::WindowMinMaxButtonsHint);
   table_.setUnits(context_.view.units());
-  credits_ = wordsOf("measuredCredits");
+  credits_ = namedText("measuredCredits");
   pages_ = new QStackedWidget;
   pages_->addWidget(emptyPage());
   pages_->addWidget(fullPage());
-  said_ = wordsOf("measuredSaid");
+  said_ = namedText("measuredSaid");
   progress_ = described(new QProgressBar, "measuredProgress", {}, tr("How far the folders are read"));
   progress_->setRange(0, 1000);
   cancel_ = actionButton("measuredCancel", tr("Stop"), tr("Stop reading; what was read is kept"),
@@ -135,7 +135,7 @@ QPushButton* MeasuredWindow::actionButton(const char* name, const QString& text,
 }
 
 QWidget* MeasuredWindow::emptyPage() {
-  emptyWords_ = wordsOf("measuredEmpty");
+  emptyWords_ = namedText("measuredEmpty");
   emptyWords_->setText(
       tr("More than 1,500 key switches have been measured in public. Clone one of these collections "
          "(force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements "
@@ -197,7 +197,7 @@ QLayout* MeasuredWindow::askRow() {
   like_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* label = new QLabel(tr("Feels li&ke:"));
   label->setBuddy(like_);
-  count_ = wordsOf("measuredCount");
+  count_ = namedText("measuredCount");
   count_->setWordWrap(false);
   auto* row = new QHBoxLayout;
   row->addWidget(libraryButton());
@@ -431,7 +431,8 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
   setWindowTitle(tr("Measured switches \u2013 %1").arg(QFileInfo(path).fileName()));
   sayBusy(false);
   chosen_.clear();
-  if (reference_ && reference_->own) reference_.reset();  // its place in the library may be another's
+  // its index may belong to another switch in the new library
+  if (reference_ && reference_->own) reference_.reset();
   table_.setSwitches(switches);
   pages_->setCurrentIndex(switches->switches.empty() ? 0 : 1);
   listRequested();
@@ -548,7 +549,7 @@ void MeasuredWindow::rowsChanged() {
   showChosen();
 }
 
-// Selects in the table what is chosen and shown there.
+// Selects the chosen switches in the table, as far as it shows them.
 void MeasuredWindow::restoreChosen() {
   QItemSelection selection;
   const std::vector<SwitchIndex>& rows = table_.shown();

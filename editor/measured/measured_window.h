@@ -37,7 +37,7 @@ struct MeasuredContext {
   std::function<std::vector<ButtonDocument*>()> documents;
   /// Opens buttons, each in a tab.
   std::function<void(const std::vector<Button>&)> open;
-  /// Likewise, and over each other in the comparison.
+  /// Opens buttons, each in a tab, and overlays them in the comparison.
   std::function<void(const std::vector<Button>&)> compare;
   // The user's choice; empty: cancelled.
   std::function<QString(QWidget*parent)> libraryFile, folder;
@@ -53,7 +53,7 @@ class MeasuredWindow : public QDialog {
 
   /// The open buttons that can be chosen changed.
   void followDocuments();
-  /// The nearest to this one first.
+  /// Sorts the switches by distance to this button, nearest first.
   void askFor(ButtonDocument& document);
   /// Shows this library from now on.
   void openLibrary(const QString& database);
@@ -87,7 +87,7 @@ class MeasuredWindow : public QDialog {
 
   QString database() const;
   QStringList folders() const;
-  LibraryRequest ofFolders() const;  ///< of those that are there
+  LibraryRequest ofFolders() const;  ///< Request for the folders that exist.
   void indexAgain();
   void take(const QString& database, const std::shared_ptr<const MeasuredSwitches>& switches);
   void sayIndexed(const importer::IndexSummary& summary);

@@ -25,7 +25,7 @@ QString withError(const QString& shown, const std::optional<double>& sigma, KeyF
 /// " 9 records of 3 units: peak force 53.2 ± 1.4 cN between units."; empty for a single record.
 QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& units);
 QString doubtfulScaleWords();
-/// " Rated by …": what a person said, in that person's words and on that person's scale.
+/// " Rated by …": ratings of people in their own words and on their own scales.
 QString ratingWords(const std::vector<importer::Rating>& ratings);
 /// "Peak force (cN)".
 QString figureTitle(KeyFigure figure, const DisplayUnits& units);

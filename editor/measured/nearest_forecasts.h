@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI
-/// thread.
+/// Reads the switches' logs again, because a forecast needs the whole button; a new request replaces the
+/// running one. GUI thread.
 class NearestForecasts : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class NearestForecasts : public QObject {
   std::atomic<quint64> question_{0};
   std::vector<SwitchIndex> requested_;  // of the request that is worked on
   ForecastSource source_;
-  QThreadPool reader_;  // last: its thread uses the others
+  QThreadPool reader_;  // last member, because its thread uses the others
 };
 
 }  // namespace detent::editor

@@ -139,7 +139,7 @@ void OverlayPlot::layOutLegend() {
 }
 
 void OverlayPlot::resizeEvent(QResizeEvent* event) {
-  QCustomPlot::resizeEvent(event);  // draws at once, with the legend as it was
+  QCustomPlot::resizeEvent(event);  // draws at once, with the previous legend
   layOutLegend();
   replot(rpQueuedReplot);
 }

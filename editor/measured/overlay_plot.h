@@ -14,7 +14,7 @@ namespace detent::editor {
 
 /// Mean and scatter of several presses at one displacement.
 struct ScatterPoint {
-  double displacement_mm = 0, mean_N = 0, sd_N = 0;  ///< sd of one of them, n - 1
+  double displacement_mm = 0, mean_N = 0, sd_N = 0;  ///< sd of one record, n - 1
 };
 
 /// Mean and scatter over the common travel; empty for fewer than two.

@@ -30,7 +30,7 @@ class SwitchMap : public QCustomPlot {
 
   void setScales(const MapScale& x, const MapScale& y);
   void setUnits(const DisplayUnits& units);
-  /// These stand out.
+  /// Sets the switches that are highlighted.
   void setChosen(std::set<SwitchIndex> chosen);
   /// Repaints once for all changes until the window is painted.
   void redraw();
@@ -70,8 +70,8 @@ class SwitchMap : public QCustomPlot {
   std::vector<Dot> dots_;
   std::set<SwitchIndex> chosen_;
   QPoint pressedAt_;
-  bool stale_ = true;    // what is drawn is not what there is
-  bool fitNext_ = true;  // another library, or another scale
+  bool stale_ = true;    // the drawn dots are out of date
+  bool fitNext_ = true;  // show the whole map at the next paint: the library or a scale changed
 };
 
 }  // namespace detent::editor

@@ -28,7 +28,8 @@ class KeyFiguresModel : public QAbstractTableModel {
 
  public:
   enum Column { figure, now, wanted, keep, columns };
-  /// Limit of bent and measured curves of one solve: about 2 s, two and a half times what the samples need.
+  /// Limit of bent and measured curves in one solve: about 2 s, two and a half times the need of the
+  /// samples.
   static constexpr std::size_t mostKnots = 2'000'000;
 
   KeyFiguresModel(ButtonDocument& document, ViewSettings& settings, QObject* parent = nullptr);

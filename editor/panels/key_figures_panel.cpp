@@ -80,7 +80,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   patience_.setInterval(patience_ms);
   setFocusProxy(table_);
 
-  about_->setMinimumHeight(1);  // lets the window stay low before it is hidden
+  about_->setMinimumHeight(1);  // lets the window become low, at which this part is hidden
   auto* aboutLayout = new QHBoxLayout(about_);
   aboutLayout->setContentsMargins(6, 6, 6, 6);
   aboutLayout->addWidget(picture_);

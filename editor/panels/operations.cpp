@@ -66,7 +66,7 @@ TactileChoice tactileChoice(const OperationTarget& target, bool pressOnly) {
 }
 
 TactileChoice::Entry entryOf(const std::vector<TactileChoice::Entry>& entries, double value) {
-  if (entries.empty()) return {Stroke::press, 0};  // the edit then reports that there is none
+  if (entries.empty()) return {Stroke::press, 0};  // the edit then reports that no such point exists
   return entries[std::min(entries.size() - 1, static_cast<std::size_t>(std::max(0.0, value)))];
 }
 

@@ -13,8 +13,8 @@ namespace detent::editor {
 struct OperationTarget {
   const Button& button;
   std::size_t state;
-  const GraphValues& values;       ///< of that state
-  std::optional<MarkId> selected;  ///< its stroke and tactile point are offered first
+  const GraphValues& values;       ///< values of the active state
+  std::optional<MarkId> selected;  ///< the operation's dialogue begins with this stroke and tactile point
   const importer::ImportReport* origin = nullptr;
   bool originOnDemand = false;  ///< the origin can be read on request
 

@@ -50,7 +50,7 @@ class ValueDelegate : public QStyledItemDelegate {
   Refusal refusal_;
   Doubt doubt_;
   QPersistentModelIndex questionIndex_;  ///< place of the last question
-  QString questionText_;                 ///< its text; empty: none
+  QString questionText_;                 ///< text of the question; empty: none
   QString tail_;  ///< decides where decimal signs stand; empty: numbers end at the right
 };
 

@@ -29,7 +29,7 @@ Dimension dimensionOf(Quantity quantity) {
 
 QuantityReading refused(QuantityTrouble trouble, const QString& culprit) { return {{}, 0, trouble, culprit}; }
 
-// The change of what stands there that a text asks for.
+// A typed change of the present value: "+5", "-=0.1".
 struct Change {
   enum class Kind { none, plus, minus } kind = Kind::none;
   QString rest;

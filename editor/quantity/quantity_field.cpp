@@ -138,7 +138,7 @@ void QuantityField::stepBy(int steps) {
   if (changes) emit valueChanged(value_);
 }
 
-// Nothing is kept from being typed; what it means is said beside it.
+// Any text may be typed; its meaning, or what is wrong, is shown beside the field.
 QValidator::State QuantityField::validate(QString&, int&) const { return QValidator::Acceptable; }
 void QuantityField::fixup(QString&) const {}
 

@@ -33,7 +33,7 @@ std::optional<ReadingError> readingErrorOf(const Button& button) {
 
 QString readText(double value, Quantity quantity, const DisplayUnits& units,
                  const std::optional<ReadingError>& error, int significant) {
-  constexpr int mostTyped = 8;          // digits; what was read off a page has sixteen
+  constexpr int mostTyped = 8;  // digits of a typed number at most; numbers read off a page have sixteen
   constexpr int digitsOfReadSlope = 3;  // its error is some percent
   constexpr int mostDecimals = 6;
   const auto rounded = readQuantity(quantityText(value, quantity, units, mostTyped), quantity, units).value;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A page for participants: large plain texts and buttons, each of which says its key. A key does what its
-// button does, because both come from one place.
+// A page for participants: large plain texts and buttons, each with its key. A key and its button do the
+// same, because both come from one place.
 
 #include <functional>
 #include <QLabel>
@@ -45,7 +45,7 @@ class KeyedPage : public QWidget {
   QPushButton* makeButton(const PageButton& button, const std::function<void()>& act);
   /// A pad that acts when it goes down, not when it comes up.
   QPushButton* makePad(const PageButton& button, const std::function<void()>& act);
-  /// Likewise; it stays down while it is what is under the finger.
+  /// A pad that acts when it goes down, and stays down while its button is the one being pressed.
   QPushButton* makeFeelButton(const PageButton& button, const std::function<void()>& act);
 
   /// A text of any length: it can be moved with the arrows and the page keys.

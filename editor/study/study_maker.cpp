@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t usualPractice = 4;
 constexpr double question_s = 12;  // a rough guess, so that nobody plans three hours by mistake
-constexpr double timed_s = 3;      // likewise, with a cue or a window
+constexpr double timed_s = 3;      // seconds for a trial with a cue or a window
 constexpr double restOfRun_s = 5;
 
 /// A name of a file that no other button has.
@@ -54,7 +54,7 @@ QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
   return box;
 }
 
-/// "0.6; 0.8; 1": what cannot be read comes out as 0, which no design takes.
+/// "0.6; 0.8; 1": unreadable numbers become 0, which no design accepts.
 std::vector<double> numbersIn(const QString& text) {
   std::vector<double> numbers;
   for (const QString& part : text.split(';', Qt::SkipEmptyParts))

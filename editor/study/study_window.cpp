@@ -15,7 +15,7 @@ namespace {
 constexpr int watch_ms = 30;
 constexpr int consentText_pt = 18;
 
-/// The text of a file: its lines are broken anew, empty lines part paragraphs.
+/// The text of a file as paragraphs: single line breaks become blanks, empty lines separate paragraphs.
 QString flowing(const std::string& text) {
   QStringList paragraphs = QString::fromStdString(text).trimmed().split("\n\n");
   for (QString& paragraph : paragraphs) paragraph = paragraph.simplified();
@@ -370,7 +370,7 @@ void StudyWindow::refresh() {
   trial_->showQuestion(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(ask, howWords()));
 }
 
-/// Puts it under the finger; what was done with the one before belongs to that one.
+/// Puts a stimulus under the finger, and books presses so far to the one before.
 void StudyWindow::feel(std::size_t slot) {
   if (!controller_ || away_ || (slot == controller_->slotOfX() && !controller_->hasX())) return;
   controller_->felt(work_.player->takeFelt());
@@ -484,7 +484,7 @@ void StudyWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void StudyWindow::closeEvent(QCloseEvent* event) {
-  if (event->spontaneous() && at_ != At::end) {  // not over what is behind it
+  if (event->spontaneous() && at_ != At::end) {  // a participant cannot close the window: it pauses instead
     event->ignore();
     if (work_.session && work_.session->trial() != nullptr) pause();
     return;

@@ -107,7 +107,7 @@ class StudyWindow : public QWidget {
   KeyedPage *consent_ = nullptr, *said_ = nullptr, *paused_ = nullptr, *stop_ = nullptr, *end_ = nullptr;
   QuestionPage* question_ = nullptr;  ///< trial_ or timing_
   TrialPage* trial_ = nullptr;        ///< null: of a timing study
-  TimingPage* timing_ = nullptr;      ///< null: of any other
+  TimingPage* timing_ = nullptr;      ///< page of a timing study; null in other studies
   TimedTrials* timed_ = nullptr;      ///< with timing_
   QLabel *saidText_ = nullptr, *endText_ = nullptr, *consentTrouble_ = nullptr;
   std::size_t restedBefore_ = 0;  ///< number of the trial a rest or words were shown before

@@ -144,7 +144,7 @@ void TimedTrials::ended(const playback::TimedOutcome& outcome) {
       away_ = true;
       return emit away(outcome.trouble);
     case playback::TimedState::anew:
-      page_->showTrouble(wordsOf(outcome));
+      page_->showTrouble(outcomeWords(outcome));
       page_->showResult(QStringLiteral(" "));
       return show(*session_);
     case playback::TimedState::kept:
@@ -159,7 +159,7 @@ void TimedTrials::ended(const playback::TimedOutcome& outcome) {
   emit kept();
 }
 
-QString TimedTrials::wordsOf(const playback::TimedOutcome& outcome) const {
+QString TimedTrials::outcomeWords(const playback::TimedOutcome& outcome) const {
   switch (outcome.fault) {
     case playback::TimingFault::none:
       return outcome.failure ? words_.notKept.arg(sentenceOf(*outcome.failure)) : QString();

@@ -56,7 +56,7 @@ class TimedTrials : public QObject {
   void poll();
   void draw();
   void ended(const playback::TimedOutcome& outcome);
-  QString wordsOf(const playback::TimedOutcome& outcome) const;
+  QString outcomeWords(const playback::TimedOutcome& outcome) const;
 
   const playback::Study& study_;
   playback::StudyPlayer& player_;

@@ -50,7 +50,7 @@ void TimingPicture::paintBeats(QPainter& painter) const {
   }
 }
 
-/// The ball's middle is what counts: it is within the bars as long as the window is open.
+/// The middle of the ball counts: it is within the bars as long as the window is open.
 void TimingPicture::paintWay(QPainter& painter) const {
   const double from_px = ballRadius_px + line_px, way_px = windowAt * width() - from_px,
                middle_px = height() / 2.0;

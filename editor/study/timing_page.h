@@ -50,7 +50,7 @@ class TimingPage : public QuestionPage {
   Q_OBJECT
 
  public:
-  /// `padded`: a key or the pad presses; else a sensor does, and there is none.
+  /// `padded`: keys and the pad press; otherwise a sensor does, and no pad is shown.
   TimingPage(const TimingWords& words, bool padded, QWidget* parent = nullptr);
 
   TimingPicture* picture() const { return picture_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One question as a participant sees it: what can be felt and what can be answered, for each kind of study.
+// One question as a participant sees it: buttons to feel and answers to choose from, for each kind of study.
 // It knows no label of any button.
 
 #include <optional>

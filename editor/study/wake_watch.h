@@ -25,7 +25,7 @@ class WakeWatch {
 
   std::atomic<double> latest_s_{0}, due_s_;
   std::atomic<bool> ending_{false};
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last member, because the thread uses the others
 };
 
 }  // namespace detent::editor

@@ -89,7 +89,8 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   };
   if (!(width_mm > 0)) return cannot(Message("is vertical"));
   double share = (at_mm - from.displacement_mm) / width_mm;
-  if (!(share > 0 && share < 1)) share = 0.5;  // on a knot, as the middle of a section may be
+  // the grabbed point lies on a knot, as the middle of a section may
+  if (!(share > 0 && share < 1)) share = 0.5;
   const double chord = (to.force_N - from.force_N) / width_mm;
   constexpr double steepest = 3;  // times the chord: up to there a cubic stays monotone (Fritsch and Carlson)
   const bool monotone = !turnsWithin(curve, from.displacement_mm, to.displacement_mm);

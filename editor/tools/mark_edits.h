@@ -16,8 +16,9 @@ enum class SlopeSides {
 };
 
 /// Moves a mark to another place. Knots, tactile points and turns go there; of a section, the segment at
-/// `mark.at` is bent between its two knots by the difference of force; operating and reset points take the displacement; a slope handle's knot gets the slope towards
-/// `to`, which must lie on the handle's side. Failures: as in model/edits.h.
+/// `mark.at` is bent between its two knots by the difference of force; operating and reset points take the
+/// displacement; a slope handle's knot gets the slope towards `to`, which must lie on the handle's side.
+/// Failures: as in model/edits.h.
 Result<Button> moveMark(const Button& button, std::size_t state, const Mark& mark, CurvePoint to,
                         SlopeSides sides = SlopeSides::asItIs);
 
@@ -30,7 +31,7 @@ Result<Button> setMarkSlope(const Button& button, std::size_t state, MarkId hand
 Result<Button> moveSectionEnd(const Button& button, std::size_t state, Stroke stroke, const Section& section,
                               CurvePoint to);
 
-/// Removes what a mark stands for: a knot, a jump with its tactile point, an operating or reset point.
+/// Removes a mark's object: a knot, a jump with its tactile point, an operating or reset point.
 Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark);
 
 /// Toggles a knot between corner and smooth.

@@ -138,7 +138,7 @@ void SelectTool::bandTo(const PointerInput& input) {
   const QRectF band = QRectF(pressed_px_, input.at_px).normalized();
   const PlotMapping map = canvas.mapping();
   std::vector<MarkId> now;
-  const MarkedState shown{canvas.state(), canvas.values()};  // keys may have changed it meanwhile
+  const MarkedState shown{canvas.state(), canvas.values()};  // keys may have changed the selection meanwhile
   for (const MarkId& mark : selectedBefore_)
     if (const auto same = sameMark(mark, *pressedOn_, shown)) now.push_back(*same);
   for (const MarkId& mark : allPoints(canvas.state())) {

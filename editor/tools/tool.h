@@ -41,10 +41,10 @@ class Tool {
   virtual bool moved(const PointerInput&) { return false; }
   virtual bool released(const PointerInput&) { return false; }
   virtual bool doubleClicked(const PointerInput&) { return false; }
-  /// The drag of this tool was cancelled (Escape, undo).
+  /// The drag of the tool was cancelled (Escape, undo).
   virtual void dragCancelled() {}
   virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
-  /// One sentence about what the mouse does now.
+  /// One sentence about the present effect of the mouse.
   virtual QString hint() const = 0;
 
  protected:

@@ -81,7 +81,8 @@ class OutlinedStyle : public QProxyStyle {
       case PE_IndicatorTabClose:
         return drawCross(*option, *painter);
       case PE_Frame:
-        if (qobject_cast<const QAbstractItemView*>(widget)) return;  // its background sets it off
+        // lists need no frame, because their background differs from the window's
+        if (qobject_cast<const QAbstractItemView*>(widget)) return;
         return draw(*option);
       default:
         return draw(*option);

@@ -17,7 +17,7 @@ namespace detent::editor {
 struct ControllerContext {
   QWidget& window;  ///< parent of dialogues
   TabArea& tabs;
-  NoticeBar& notices;  ///< for what belongs to no tab
+  NoticeBar& notices;  ///< notices that belong to no tab
   ViewSettings& view;
   QSettings& settings;
   Prompts& prompts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which device a press goes to, and what its format makes of it, before it is written.
+// Chooses the device for a press, and shows before it is written how its format changes it.
 
 #include <QComboBox>
 #include <QDialog>
@@ -20,7 +20,7 @@ struct DeviceChoice {
   QString ending;  ///< ".ahap"
 };
 
-/// Format, press and what is lost, counted anew with every change (10 ms). GUI thread.
+/// Format, press and the losses of the format, recomputed with every change (10 ms). GUI thread.
 class DeviceExportDialog : public QDialog {
   Q_OBJECT
 

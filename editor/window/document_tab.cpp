@@ -43,7 +43,7 @@ QWidget* DocumentTab::valuesPanel() {
   if (!values_) {
     auto* values = new ValuesPanel(*document_, settings_, nullptr);
     values_ = values;
-    // One selection: what is picked in the graph is picked in the table, and the other way round.
+    // Graph and table share one selection.
     GraphCanvas& canvas = workspace_->canvas();
     connect(values, &ValuesPanel::markChosen, &canvas, &GraphCanvas::setSelected);
     connect(&canvas, &GraphCanvas::selectionChanged, values,

@@ -107,7 +107,8 @@ void FileController::importMany() {
   bringUp(*batch_);
 }
 
-// As a file of its own: it can be opened again, and its page comes back like any other.
+// Imports a copy of the sample datasheet, so that it can be opened again and its page is found like any
+// other.
 void FileController::importSample() {
   const QString path =
       QFileInfo(at_.recovery.folder()).dir().filePath(tr("sample-datasheet") + QStringLiteral(".pdf"));
@@ -189,7 +190,7 @@ void FileController::sayOtherEditor(DocumentTab& tab) {
                         .arg(*other));
 }
 
-// Nothing is written over what somebody else has saved since: the person decides.
+// Asks before it overwrites a file that another program has changed since.
 void FileController::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
   tab.notices().say("disk", NoticeBar::Kind::trouble, sentence,
                     {{"overwrite", tr("Overwrite"),

@@ -16,8 +16,8 @@ namespace detent::editor {
 
 class BatchDialog;
 
-/// Troubles are said as notices where they happen; nothing here changes a document that is open because
-/// another file is broken. GUI thread.
+/// Shows errors as notices beside the document they belong to. A broken file never changes an open document.
+/// GUI thread.
 class FileController : public QObject {
   Q_OBJECT
 
@@ -39,11 +39,11 @@ class FileController : public QObject {
   void open(const QStringList& paths);
   /// A button file; null if it cannot be opened (said).
   DocumentTab* openButton(const QString& path);
-  /// Files or a picture from clipboard or drop; false if there is nothing of use in it.
+  /// Opens files or a picture from the clipboard or a drop; returns false if there is nothing usable.
   bool take(const QMimeData& data);
   static bool canTake(const QMimeData& data);
 
-  /// These give false if it was cancelled or failed.
+  /// Return false if the user cancelled or an error occurred.
   bool save(DocumentTab& tab);
   bool saveAs(DocumentTab& tab);
   bool saveAll();

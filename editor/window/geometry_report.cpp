@@ -49,7 +49,7 @@ QJsonObject axesJson(const QCustomPlot& plot) {
 
 QJsonArray transformJson(const QTransform& t) { return {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}; }
 
-// The result may still move the page.
+// Returns true while an import may still change what the page shows.
 bool isReading(const ImportState& state) {
   return state.opening() || state.working() || (state.isOpen() && state.searchedPages() < state.pageCount());
 }
@@ -109,7 +109,7 @@ QJsonObject widgetJson(const QWidget& widget) {
   return object;
 }
 
-// Qt's own inner widgets have names too; they tell a test nothing.
+// Qt's internal widgets have names too, but they are of no use to a test.
 bool worthTelling(const QWidget& widget) {
   return widget.isVisible() && !widget.objectName().isEmpty() && !widget.objectName().startsWith("qt_");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Where everything is on the screen, for tests that work the real window with mouse and keys
+// Reports the positions of all widgets to tests that work the real window with mouse and keys
 // (docs/develop/decisions/1061-finding-widgets.md).
 
 #include <QObject>

@@ -66,7 +66,7 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
   auto* forms = new QVBoxLayout(choices);
   for (QFormLayout* form : {madeFor(), axes(), shown()}) forms->addLayout(form);
   forms->addStretch(1);
-  auto* scrolled = new QScrollArea;  // a low screen has no room for all of them
+  auto* scrolled = new QScrollArea;  // a low screen has no room for all fields
   scrolled->setWidget(choices);
   scrolled->setWidgetResizable(true);
   scrolled->setFrameShape(QFrame::NoFrame);
@@ -100,7 +100,7 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
     connect(box, &QComboBox::currentIndexChanged, this, &GraphExportDialog::takeUnits);
   for (QCheckBox* box : {monochrome_, callouts_, dimensions_})
     connect(box, &QCheckBox::toggled, this, &GraphExportDialog::showChoice);
-  // One of the two, before it is shown.
+  // Only one of the two tolerances counts: typing one clears the other, before the picture follows.
   connect(tolerance_, &QuantityField::valueChanged, this, [this] { toleranceForce_->setValue(0); });
   connect(toleranceForce_, &QuantityField::valueChanged, this, [this] { tolerance_->setValue(0); });
   for (QuantityField* field : {tolerance_, toleranceForce_, width_, height_, xFrom_, xTo_, yFrom_, yTo_}) {

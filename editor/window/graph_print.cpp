@@ -43,7 +43,7 @@ QString sourceLine(const Button& button) {
       .arg(from->graph);
 }
 
-// Of what the table of figures shows without a unit of its own.
+// Unit to print behind a figure of the table; empty for figures without a unit.
 QString symbolOf(FigureUnit unit, const DisplayUnits& units) {
   switch (unit) {
     case FigureUnit::mm:

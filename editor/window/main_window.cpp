@@ -117,8 +117,7 @@ MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
   new ScreenFit(this);
   setAcceptDrops(true);
   setDockNestingEnabled(true);
-  applyAppearance();  // before there are widgets: those made before would keep
-                      // the old colours for a while
+  applyAppearance();  // before there are widgets, because existing ones would keep the old style
   makeFileActions();
   makeEditActions();
   makeCentre();
@@ -137,8 +136,7 @@ MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
   showTab(nullptr);
 }
 
-// Documents go first, and through the same door as always: panels, recovery and
-// watch let go of them.
+// Closes the documents first, in the usual way, so that panels, recovery and file watch release them.
 MainWindow::~MainWindow() {
   sessionHeld_ = true;
   for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
@@ -193,7 +191,7 @@ QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWi
   return dock;
 }
 
-// A panel that lies behind another one's tab is not seen: it is shown, not hidden.
+// Shows or hides a panel. A panel behind another one's tab counts as hidden.
 void MainWindow::turn(QDockWidget& dock) {
   const bool seen = dock.isVisible() && !dock.visibleRegion().isEmpty();
   if (seen) return dock.hide();
@@ -779,7 +777,7 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   storeWindow();
   storeSession();
-  sessionHeld_ = true;  // the tabs that close now are those to come back
+  sessionHeld_ = true;  // the tabs that close now belong to the stored session
   if (!files_->closeAll()) {
     sessionHeld_ = false;
     return event->ignore();
@@ -863,7 +861,8 @@ void MainWindow::print(DocumentTab& tab) {
       messageTime_ms);
 }
 
-// Out of every table and list, and back: graph, values and what stands with them, feel, library.
+// Moves the keyboard focus to the next or previous panel, also out of tables and lists: graph, inspector,
+// feel, library.
 void MainWindow::focusNextPanel(int by) {
   QList<QWidget*> panels;
   if (DocumentTab* tab = tabs_->current(); tab && view_ != CentreView::compare)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The window of detent-edit: puts tabs, side panels, menus and keys together. What is done with files is
-// FileController's.
+// The window of detent-edit: arranges tabs, side panels, menus and keys. Files are opened and saved by
+// FileController.
 
 #include <QDockWidget>
 #include <QLabel>
@@ -67,7 +67,7 @@ class MainWindow : public QMainWindow {
   void compareWith(ButtonDocument* other);
   /// These, the first as the one differences are counted from; shows the view.
   void compareAll(const std::vector<ButtonDocument*>& documents);
-  /// The same of files, which are opened where they are not yet.
+  /// Compares the buttons of files; opens those that are not open yet.
   void compareFiles(const QStringList& paths);
   void morph(DocumentTab& tab);
   DocumentTab& addComputed(const Button& button);
@@ -89,7 +89,7 @@ class MainWindow : public QMainWindow {
   /// A menu that ends with the actions of the current tab.
   struct TabMenu {
     QMenu* menu = nullptr;
-    QAction* end = nullptr;  // they stand before this one
+    QAction* end = nullptr;  // the tab's actions stand before this one
     QList<QAction*> shown;
   };
 
@@ -180,10 +180,10 @@ class MainWindow : public QMainWindow {
   QStackedWidget* centre_ = nullptr;  // buttons with the feel panel below them, or the comparison
   QScrollArea *feelArea_ = nullptr, *compareArea_ = nullptr;
   CentreView view_ = CentreView::edit;
-  QAction* toolsEnd_ = nullptr;  // the tools of the shown button stand before it
+  QAction* toolsEnd_ = nullptr;  // the tools of the shown button stand before this action
   QAction *showEdit_ = nullptr, *showCompare_ = nullptr, *showFeel_ = nullptr;
   bool docksAway_ = false;
-  QList<QDockWidget*> awayDocks_;    // docks that come back with the view of editing
+  QList<QDockWidget*> awayDocks_;    // docks that are shown again when the user returns to Edit
   QPointer<QDockWidget> frontDock_;  // of docks that share a place
   QByteArray firstState_;            // of the docks, before any was moved
   bool docksAreNew_ = false;         // nothing was kept of how they were arranged
@@ -203,8 +203,7 @@ class MainWindow : public QMainWindow {
   TabMenu editMenu_, toolMenu_, viewMenu_;
   QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
-  bool sessionHeld_ =
-      true;  ///< what is stored of the session stays as it is: nothing is open yet, or all of it closes
+  bool sessionHeld_ = true;  ///< do not store the session: no file is open yet, or all are closing
 };
 
 }  // namespace detent::editor

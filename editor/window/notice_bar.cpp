@@ -81,7 +81,7 @@ void NoticeBar::dismiss(const QString& id) {
   if (QFrame* row = rowOf(id)) {
     rows_->removeWidget(row);
     row->hide();
-    row->deleteLater();  // it may be its own button that is being pressed
+    row->deleteLater();  // later, because the click may come from a button inside this row
   }
   setVisible(rows_->count() > 0);
 }

@@ -53,7 +53,7 @@ ImportDialog& SheetController::shownDialog() {
   return shown;
 }
 
-// Made when it is first needed, and anew each time: what an import loaded is let go of with it.
+// A new dialogue for each import, so that closing one frees the memory of its pages.
 ImportDialog& SheetController::dialog() {
   if (importing_ && importing_->isVisible()) return *importing_;
   delete importing_;
@@ -81,7 +81,7 @@ void SheetController::addImported(std::shared_ptr<const importer::ImportReport> 
   const auto& provenance = report->button.provenance();
   if (provenance && importing_) pages_.remember(*provenance, importing_->draft().path);
   at_.tabs.add(importedDocument(std::move(report)));
-  at_.recovery.flush();  // it may have cost an hour: not even two seconds of it are risked
+  at_.recovery.flush();  // saved at once: an import may have cost an hour of work
 }
 
 void SheetController::openImported(const QString& path, const Button& button) {

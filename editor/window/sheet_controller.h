@@ -58,7 +58,7 @@ class SheetController : public QObject {
   ControllerContext at_;
   PageReturn pages_;
   QTimer draftSoon_;
-  QString pastedFile_;  ///< where the pasted picture of the import dialogue is kept
+  QString pastedFile_;  ///< file of the picture pasted into the import dialogue
   QPointer<ImportDialog> importing_;
   std::deque<ImportDraft> waiting_;  ///< nothing is corrected in them yet
 };

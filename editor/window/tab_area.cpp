@@ -70,7 +70,7 @@ void TabArea::remove(DocumentTab& tab) {
   tabs_->removeTab(tabs_->indexOf(&tab));
   if (tabs_->count() == 0) setCurrentIndex(0);
   tab.hide();
-  tab.deleteLater();  // its own button may be what closes it
+  tab.deleteLater();  // later, because the click may come from a button inside this tab
   emit documentsChanged();
 }
 

@@ -22,7 +22,7 @@ class TabArea : public QStackedWidget {
 
   /// Shows it in a new tab and gives that.
   DocumentTab& add(std::unique_ptr<ButtonDocument> document);
-  /// Closes without a question. tabClosing() is the last chance to let go of it.
+  /// Closes a tab without a question. Listeners to tabClosing() must release it.
   void remove(DocumentTab& tab);
 
   DocumentTab* current() const;

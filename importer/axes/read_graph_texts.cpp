@@ -129,7 +129,7 @@ LegendRow partedAtSamples(const TextLine& line, const Inked& on) {
 /// Returns true if a horizontal line runs through the whole mark: a legend key with its marker, or a leader
 /// with its arrowhead. In letters that touch each other there is no such line.
 bool isLineLike(const Box& mark, const cv::Mat& marks) {
-  constexpr double nearlyAll = 0.9;  // of its columns
+  constexpr double nearlyAll = 0.9;  // share of the columns
   const int left = std::max(0, static_cast<int>(std::ceil(mark.x0))),
             right = std::min(marks.cols - 1, static_cast<int>(mark.x1));
   for (int y = std::max(0, static_cast<int>(mark.y0));
@@ -274,7 +274,8 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
                    box.y1 + 0.35 * box.height()};
   const Inked on{view.raster, d, darkMarks};
   const std::vector<Box> marks = glyphsIn(glyphBoxes(darkMarks, 2, largest), around, largest);
-  // letters of a name beside a key that is shorter than a word; letters of any such name
+  // most letters of a name that is too short for a word and stands beside a key; most letters of a name
+  // beside a key in general
   constexpr std::size_t mostLetters = 2, mostOfAName = 5;
   std::vector<TextLine> lines;
   for (const auto& row : groupedLines(marks, 1.1)) {

@@ -136,7 +136,7 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
   std::vector<Child> running;
   std::map<std::size_t, InputOutcome> waiting;  // finished inputs that wait for an earlier one
   std::size_t next = 0, reported = 0;
-  std::vector<std::size_t> again;  // killed from outside once; these are started again
+  std::vector<std::size_t> again;  // inputs whose process was killed from outside once; started again
   std::set<std::size_t> repeated;
   const auto stopAll = [&] {
     for (Child& child : running) {

@@ -11,8 +11,8 @@
 namespace detent::importer {
 
 enum class CalloutKind {
-  operatingPoint,  ///< where the contact closes, on the press stroke
-  resetPoint       ///< where it opens, on the release stroke
+  operatingPoint,  ///< press displacement at which the contact closes
+  resetPoint       ///< release displacement at which the contact opens
 };
 
 /// One callout that was followed to its curve.

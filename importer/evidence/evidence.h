@@ -14,7 +14,7 @@ namespace detent::importer {
 /// One reason for or against an interpretation.
 struct EvidenceTerm {
   std::string name;          ///< "title", "unit", "travel": as scripts see it
-  std::string about;         ///< what it was concluded from: a column's title, a value
+  std::string about;         ///< source of the conclusion: a column's title, a value
   double logLikelihood = 0;  ///< > 0 speaks for it
 };
 

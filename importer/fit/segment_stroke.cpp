@@ -312,7 +312,7 @@ struct PlacedStretch {
   Stretch stretch;
   const std::vector<RunPoint>* points = nullptr;
   bool steep = false;
-  std::size_t offset = 0;  ///< first point of its run
+  std::size_t offset = 0;  ///< index of the first point of its run
 
   std::size_t first() const { return offset + stretch.from; }
   std::size_t last() const { return offset + stretch.to - 1; }

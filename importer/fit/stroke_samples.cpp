@@ -199,7 +199,7 @@ std::vector<Peak> peaksOf(const std::vector<double>& heights, double least) {
 /// is felt first. "Near": the force is within `flatTop` of the extremum, because such deviations decide where
 /// a flat top has its middle. `ownNoise` in units of the points' sigma.
 void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double ownNoise) {
-  constexpr double standsOut = 0.03, flatTop = 0.012;  // of the force span
+  constexpr double standsOut = 0.03, flatTop = 0.012;  // share of the force span
   constexpr double greatestGain = 8;                   // times the weight of a point away from peaks
   const std::vector<double> heights = smoothedHeights(points, stroke == Stroke::press ? 1 : -1);
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());

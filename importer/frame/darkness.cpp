@@ -79,7 +79,7 @@ cv::Mat distanceTo(const cv::Mat& place) {
 /// the rest uses the nearest paper.
 void settleBesideSteps(const cv::Mat& grey, const cv::Mat& paper, int window, cv::Mat& contrast) {
   constexpr int step = 48;                                  // grey levels between papers
-  constexpr double likePaper = 0.35;                        // share of that step
+  constexpr double likePaper = 0.35;                        // share of the step between the two papers
   constexpr float edge_px = 1.5;                            // px; a smoothed step is not print
   const int stroke_px = std::clamp(window / 3, 7, 25) | 1;  // wider than a stroke of text
   cv::Mat light, dark, apart, beside;

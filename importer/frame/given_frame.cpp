@@ -62,7 +62,7 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   c.regionBox = Box{c.uprightBox.x0 - 0.45 * w, c.uprightBox.y0 - 0.4 * h, c.uprightBox.x1 + 0.5 * w,
                     c.uprightBox.y1 + 0.45 * h}
                     .common(bounds);
-  if (c.quarterTurns != 0) {  // its labels may be on any side of the page's box
+  if (c.quarterTurns != 0) {  // labels of a turned plot may be on any side of the page's box
     const double room = 0.5 * std::max(w, h);
     c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - room), std::max(bounds.y0, c.pageBox.y0 - room),
                    std::min(bounds.x1, c.pageBox.x1 + room), std::min(bounds.y1, c.pageBox.y1 + room)};

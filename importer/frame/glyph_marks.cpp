@@ -117,7 +117,7 @@ void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int longest
 }  // namespace
 
 bool isComma(const Box& mark, const Box& word) {
-  constexpr double largest = 0.5, baseline = 0.6, below = 0.1;  // of the word's height
+  constexpr double largest = 0.5, baseline = 0.6, below = 0.1;  // share of the word's height
   const double height = word.height();
   return mark.height() <= largest * height && mark.width() <= largest * height &&
          mark.y0 >= word.y0 + baseline * height && mark.y0 <= word.y1 + below * height;
@@ -125,7 +125,7 @@ bool isComma(const Box& mark, const Box& word) {
 
 bool isUnderscore(const Box& mark, const Box& word) {
   constexpr double flat = 0.2, narrowest = 0.3, widest = 1.2, baseline = 0.8,
-                   below = 0.35;  // of the word's height
+                   below = 0.35;  // share of the word's height
   const double height = word.height();
   return mark.height() <= flat * height && mark.width() >= narrowest * height &&
          mark.width() <= widest * height && mark.y0 >= word.y0 + baseline * height &&
@@ -247,7 +247,7 @@ std::vector<Box> numberBoxes(const std::vector<Box>& glyphs) {
 }
 
 Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs) {
-  constexpr double apart = 0.2, nextLetter = 0.45;  // of the word's height
+  constexpr double apart = 0.2, nextLetter = 0.45;  // share of the word's height
   std::vector<Box> members;
   for (const Box& g : glyphs)
     if (word.contains(g)) members.push_back(g);

@@ -18,13 +18,13 @@ struct LabelRow {
 /// Row of labels below the rectangle. `lines`: x of its vertical lines (may be empty).
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
-/// Row of labels above it.
+/// Row of labels above the rectangle.
 LabelRow labelsAbove(std::vector<Box> words, const Box& rectangle, const std::vector<double>& lines);
 
 /// Column of labels left of the rectangle. `lines`: y of its horizontal lines.
 LabelRow labelsLeft(const std::vector<Box>& words, const Box& rectangle, const std::vector<double>& lines);
 
-/// Column of labels right of it.
+/// Column of labels right of the rectangle.
 LabelRow labelsRight(std::vector<Box> words, const Box& rectangle, const std::vector<double>& lines);
 
 /// Rotated labels on the left, whose digits stand one above the other.

@@ -12,7 +12,7 @@ namespace detent::importer {
 /// pixels of the darkness plane.
 struct StraightLine {
   double from = 0, to = 0;              ///< ends, along
-  double acrossFrom = 0, acrossTo = 0;  ///< position at those ends
+  double acrossFrom = 0, acrossTo = 0;  ///< position across the line at its ends
   double fill = 1;                      ///< share of the length that is dark; below 1 for dashes and gaps
   double length() const { return to - from; }
   double acrossAt(double along) const {

@@ -11,9 +11,9 @@
 
 namespace detent::importer {
 
-/// Where a text comes from.
+/// Source of a text.
 enum class TextSource {
-  exact,      ///< a document's own text or a table's cell: letters are what they are
+  exact,      ///< a document's own text or a table's cell: letters are certain
   recognised  ///< read off pixels: letters may be wrong
 };
 
@@ -34,7 +34,7 @@ enum class WordKind {
   columnUnit
 };
 
-/// Where an entry may stand in a label.
+/// Position that an entry may have in a label.
 enum class WordForm {
   whole,      ///< a whole word
   end,        ///< "-kraft": the end of a longer word
@@ -74,8 +74,9 @@ std::optional<double> costOfReading(std::string_view read, std::string_view prin
 /// A whole unit that reads as another sign: "eN" is "cN".
 struct UnitReading {
   std::string_view printed;
-  double cost = 0;             ///< 0..1
-  bool needsQuantity = false;  ///< what was read is a word or unit of its own
+  double cost = 0;  ///< 0..1
+  /// true if the recognised text is itself a word or a unit, so that only a named quantity can decide
+  bool needsQuantity = false;
 };
 /// `withCyrillic`: of exact text, only with Cyrillic letters beside it.
 std::optional<UnitReading> unitReadAs(std::string_view read, TextSource source, bool withCyrillic);

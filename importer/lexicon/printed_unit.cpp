@@ -83,7 +83,7 @@ std::string withoutArrow(std::string t) {
   return t;
 }
 
-/// "unit: gf", "单位：gf": what stands after the word.
+/// The text after the word for "unit": "gf" of "unit: gf", "单位：gf".
 std::string withoutUnitWord(std::string text) {
   const std::string low = lowered(text);
   for (const std::string_view word :
@@ -96,7 +96,7 @@ std::string withoutUnitWord(std::string text) {
 
 constexpr std::string_view likeBrackets = "IlL1|iftCcrJj";  // what a recogniser makes of one
 
-/// What stands in brackets, also with what may be the closing one taken off.
+/// Texts in brackets, also without a last sign that may be a misread closing bracket.
 std::vector<std::string> bracketed(const std::string& t) {
   constexpr std::size_t longest = 24;  // bytes; a recogniser loses closing brackets, and the rest is no unit
   std::vector<std::string> out;
@@ -169,8 +169,8 @@ void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   if (unit.size() > 1 || letters >= fewest) out.push_back({std::string(unit), 0.9});
 }
 
-/// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the
-/// last word.
+/// Possible units in a title, surest first: in brackets; without any after a slash, after "in", as the last
+/// word.
 std::vector<Piece> pieces(const std::string& title) {
   const std::string t = withoutArrow(title);
   std::vector<Piece> out;

@@ -34,9 +34,9 @@ struct HeadingUnits {
   LengthUnit length{};
 };
 
-/// Where a heading names a unit of force and one of length and no other, in brackets or behind "in": "Key
-/// force vs travel (cN, mm)", "Force in gf against travel in mm". "(N/mm)" are two only in a heading that
-/// names both quantities, and else a stiffness.
+/// The units of a heading that names exactly one unit of force and one of length, in brackets or behind
+/// "in": "Key force vs travel (cN, mm)", "Force in gf against travel in mm". "(N/mm)" counts as two units
+/// only in a heading that names both quantities, and otherwise as a stiffness.
 std::optional<HeadingUnits> headingUnitsIn(std::string_view heading,
                                            TextSource source = TextSource::recognised);
 

@@ -15,8 +15,8 @@ struct FeltShape {
   static constexpr std::size_t samples = 400;
 
   double travel_mm = 0;          ///< first contact to bottom-out, > 0
-  std::vector<float> press_N;    ///< `samples` of them
-  std::vector<float> release_N;  ///< likewise, or empty where no release is known
+  std::vector<float> press_N;    ///< press forces at `samples` even displacements
+  std::vector<float> release_N;  ///< as many forces of the release; empty if there is none
   bool operator==(const FeltShape&) const = default;
 };
 

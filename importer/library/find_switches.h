@@ -25,7 +25,7 @@ struct FoundSwitch {
   LibrarySwitch entry;
   std::optional<double> distance_labNoise;  ///< if `like` was given; below 1 the two may be one switch
   SwitchSpread spread;               ///< of all records of this switch by its laboratory, including this one
-  std::vector<Rating> ratings = {};  ///< what people said of a switch of this name
+  std::vector<Rating> ratings = {};  ///< ratings of switches with this name
 };
 
 /// Group of a distance. 1: nobody can feel a difference; 2: within two lab noises, and so on. The order

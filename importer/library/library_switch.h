@@ -24,7 +24,7 @@ struct LibrarySwitch {
   int part = 1;                 ///< of several switches or states in the file, from 1
   std::string licence, credit;  ///< see Origin
   std::string sha256;           ///< of the file
-  std::string version;          ///< of the program that read it
+  std::string version;          ///< version of the program that read the file
   KeyFigures figures;
   KeyFigures
       sigmas;  ///< standard errors of the figures (measured_figures.h, PageButton); none of a button's file

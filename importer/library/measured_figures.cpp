@@ -87,7 +87,7 @@ class Measured {
   void measurePlaces() {
     constexpr double depth = 0.25;           // share of an extremum's prominence within which samples count
     constexpr double leastNoises = 3;        // least depth in noises that its samples must reach
-    constexpr double bottomOutReach = 0.12;  // of the travel, below a bottom-out
+    constexpr double bottomOutReach = 0.12;  // share of the travel, below a bottom-out
     const StrokeCurve& press = state_.graph.press();
     const double end_mm = down_.last().displacement_mm;
     const BottomOut bottom = bottomOutOf(press);
@@ -219,7 +219,7 @@ class Measured {
   /// The contact closes somewhere between two samples.
   void measureContact(std::optional<double> contact_mm, const SampledStroke& samples, KeyFigure force) {
     if (!contact_mm) return;
-    constexpr double reach = 0.04;  // of the travel, on either side
+    constexpr double reach = 0.04;  // share of the travel, on either side
     const double reach_mm = reach * (samples.last().displacement_mm - samples.first().displacement_mm);
     if (const auto found =
             forceAt(samples.between(*contact_mm - reach_mm, *contact_mm + reach_mm), *contact_mm)) {

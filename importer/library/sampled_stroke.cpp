@@ -152,7 +152,7 @@ SampledStroke::SampledStroke(const StrokeCurve& curve, const std::vector<CurvePo
     if (const double step = std::abs(points_[i].displacement_mm - points_[i - 1].displacement_mm); step > 0)
       steps.push_back(step);
   step_mm_ = median(steps);
-  // of a step; of the readings: at the turn a displacement is often read twice
+  // share of a step; share of the readings, because a displacement is often read twice at the turn
   constexpr double oneStep = 0.01, mostly = 0.98;
   const auto ones = std::ranges::count_if(
       steps, [&](double step) { return std::abs(step - step_mm_) < oneStep * step_mm_; });

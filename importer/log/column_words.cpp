@@ -38,7 +38,7 @@ bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 
 
 struct Vocabulary {
   std::unordered_map<std::string, std::uint32_t> words;      // of one or more words, joined by blanks
-  std::unordered_set<std::string> headFirst;                 // those of Romance languages alone
+  std::unordered_set<std::string> headFirst;                 // words of Romance languages alone
   std::vector<std::pair<std::string, std::uint32_t>> signs;  // of writing without blanks, the longest first
   std::vector<std::pair<std::string, std::uint32_t>> ends;   // of compounds, the longest first
   std::map<std::string, ColumnUnit, std::less<>> units, foldedUnits;
@@ -261,7 +261,7 @@ ColumnUnit unitOf(std::string_view text) {
   ColumnUnit unit = unitSpelled(whole);
   if (unit.kind != ColumnUnit::Kind::unknown) return unit.text = std::string(whole), unit;
   if (auto fraction = fractionOfUnit(whole)) return *fraction;
-  // A factor before it: "x0.1 N", "×10⁻³ N", "0.1 N".
+  // A factor in front of a unit: "x0.1 N", "×10⁻³ N", "0.1 N".
   constexpr std::array<std::string_view, 5> signs{"x", "X", "×", "*", "·"};
   std::string_view bare = whole;
   for (const std::string_view sign : signs)

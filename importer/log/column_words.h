@@ -40,8 +40,9 @@ struct KnownWords {
     bool has(ColumnWord meaning) const { return meanings & static_cast<std::uint32_t>(meaning); }
   };
   std::vector<Word> words;
-  std::size_t unknown = 0;  ///< words beside them
-  bool headFirst = false;  ///< of a language whose compound nouns begin with what they are: "force de charge"
+  std::size_t unknown = 0;  ///< number of unknown words beside these
+  /// true in a language whose compound nouns begin with their head: "force de charge"
+  bool headFirst = false;
   bool has(ColumnWord meaning) const;
 };
 KnownWords knownWordsIn(std::string_view text);
@@ -50,7 +51,7 @@ KnownWords knownWordsIn(std::string_view text);
 struct ColumnUnit {
   enum class Kind { none, displacement, force, time, other, unknown };
   Kind kind = Kind::none;
-  double size = 1;  ///< mm, N or s in one of it
+  double size = 1;  ///< mm, N or s in one unit
   std::string text;
   bool isKnown() const { return kind != Kind::none && kind != Kind::unknown; }
   bool isOfButton() const { return kind == Kind::displacement || kind == Kind::force; }

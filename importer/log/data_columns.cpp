@@ -18,7 +18,7 @@ namespace {
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMostColumns = 256;
 
-/// A row by what its cells are.
+/// A row, described by the kinds of its cells.
 struct RowFacts {
   std::uint32_t numbers = 0, texts = 0, words = 0;  ///< words: texts with a letter that are no "nan" or "inf"
   std::size_t width = 0;
@@ -217,7 +217,7 @@ class ColumnFinder {
   bool isNumber(std::size_t row, std::size_t column) const { return !std::isnan(numbers_[column][row]); }
   bool isCandidate(std::size_t row) const { return facts_[row].numbers >= 2; }
 
-  /// The longest run of rows of numbers; what is numeric there makes the columns.
+  /// Finds the longest run of rows of numbers; its numeric cells make the columns.
   bool findMainRun() {
     std::size_t best = 0;
     for (std::size_t row = 0; row < table_.rows();) {
@@ -658,8 +658,8 @@ class ColumnFinder {
     }
   }
 
-  /// "CH2 load cell 1 V = 0.5 N": what one of the column's own units measures. Returns true if the cell says
-  /// so.
+  /// Reads a scale such as "CH2 load cell 1 V = 0.5 N" for the column's unit. Returns true if the cell
+  /// states one.
   bool readScale(std::string_view cell, DataColumn& column) const {
     const std::size_t sign = cell.find('=');
     if (sign == std::string_view::npos) return false;
@@ -782,8 +782,7 @@ class ColumnFinder {
     weigh(column);
   }
 
-  /// Of a title that names a condition no word says which quantity was measured: "0 cycles (N)" counts no
-  /// cycles.
+  /// Marks a title that names a condition, not a quantity: "0 cycles (N)" counts no cycles.
   static void settleRecordName(DataColumn& column) {
     using Kind = ColumnUnit::Kind;
     column.namesRecord =

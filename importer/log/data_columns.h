@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The columns of numbers in a table: where they begin and end, what stands above, beside and behind them.
+// The columns of numbers in a table: their first and last row, and the texts above, beside and behind them.
 
 #include <cstddef>
 #include <optional>
@@ -58,9 +58,9 @@ struct DataColumn {
 /// Takes a unit given by hand for the column's own, whatever the file says.
 void giveUnit(DataColumn& column, ColumnUnit unit);
 
-/// Where rows without numbers or blank rows interrupt the data.
+/// An interruption of the data by blank rows or rows without numbers.
 struct DataBreak {
-  std::size_t row = 0;  ///< the data row after it
+  std::size_t row = 0;  ///< the data row after the break
   std::string text;     ///< of the rows between; empty: blank
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The other way in: tables of a force meter, whatever they are kept in. Which columns are what is decided
-// between interpretations (interpret_columns.h). JSON and projects that keep strokes apart:
-// recorded_switches.h.
+// Tables of force meters as an input, in any kind of file. Interpretations compete for the columns
+// (interpret_columns.h). JSON and projects that keep strokes apart: recorded_switches.h.
 
 #include <map>
 #include <string>
@@ -41,7 +40,7 @@ struct ForceLog {
   std::string xUnit, yUnit;                                ///< as found
   double preload_N = 0;                                    ///< offset removed (or 0)
   double noise_mm = 0, noise_N = 0;                        ///< estimated from the samples
-  std::optional<double> operatingPoint_mm, resetPoint_mm;  ///< where the file says them
+  std::optional<double> operatingPoint_mm, resetPoint_mm;  ///< only if the file states them
   /// Of the first press and of the release after it; empty without a column of times.
   std::optional<StrokeSpeed> pressSpeed, releaseSpeed;
   long rowsRead = 0, rowsSkipped = 0;
@@ -62,7 +61,7 @@ struct LogReading {
   std::vector<ListedRecord> records;               ///< of the best interpretation
   std::vector<ExplainedInterpretation> best = {};  ///< at most three
   std::optional<Question> question =
-      {};  ///< where `log` is a Failure notCertain; its choices are not tried here
+      {};  ///< only if `log` is a Failure notCertain; its choices are not tried here
 };
 
 /// Returns true if a file is a table, a spreadsheet, JSON or TAR by its content; by its ending where it

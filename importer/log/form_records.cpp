@@ -29,10 +29,10 @@ struct FoundStroke {
   bool cutBefore = false;  ///< not joined to the stroke before it in the file
 };
 
-/// Where the rows of a column are cut, and what the parts are called.
+/// Cuts between the rows of a column, and names of the parts.
 struct Cuts {
-  std::map<std::size_t, std::string> at;           ///< data row: name of what begins there
-  std::vector<std::optional<Stroke>> strokeOfRow;  ///< empty: no row says it
+  std::map<std::size_t, std::string> at;           ///< data row: name of the part that begins there
+  std::vector<std::optional<Stroke>> strokeOfRow;  ///< empty: no row names a stroke
 };
 
 class RecordFormer {
@@ -128,8 +128,8 @@ class RecordFormer {
     for (const CurvePoint& p : calm)
       together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
     const double sign = made_.forcesTurned ? -1 : 1;
-    // A dome that collapses has most of its force in the first half of its travel: only what ends softer than
-    // it began runs backwards.
+    // A dome that collapses has most of its force in the first half of its travel, so only a press that ends
+    // softer than it began runs backwards.
     made_.displacementTurned = sign * together < 0 && sign * forceAtEnds(calm) < 0;
     for (auto& run : runs)
       for (Sample& each : run) {
@@ -183,7 +183,7 @@ class RecordFormer {
         made_.records.push_back({made_.groups[i].name, {}, pointsOf(runs[i])});
   }
 
-  // -- where a run is cut ---------------------------------------------------------------------------------------
+  // -- where a run is cut -----------------------------------------------------------------------------------
 
   std::string_view cellOf(std::size_t column, std::size_t row) const {
     return table_.cell(data_.rowOf[row], data_.columns[column].index);
@@ -395,11 +395,12 @@ class RecordFormer {
     }
   }
 
-  // -- strokes joined to records --------------------------------------------------------------------------------
+  // -- strokes joined to records ----------------------------------------------------------------------------
 
   static constexpr double kWhole = 0.6;          // share of the longest press: an aborted one is less
-  static constexpr double kLeastRelease = 0.12;  // the same: less is a twitch
-  static constexpr double kMoved = 0.03;         // the same: less is where the stage stopped by chance
+  static constexpr double kLeastRelease = 0.12;  // share of the longest press; shorter releases are twitches
+  // share of the longest press; less is where the stage stopped by chance
+  static constexpr double kMoved = 0.03;
 
   void joinRun(const std::vector<FoundStroke>& strokes) {
     double longest = 0;
@@ -433,7 +434,7 @@ class RecordFormer {
       if (open && made_.records[*open].release.empty() && each.travel >= kLeastRelease * longest) {
         made_.records[*open].release = each.points;
       } else if (open && resumed) {
-        // The way up was held and went on: what lies further up.
+        // The stage paused on the way up and went on: append the part above the pause.
         std::vector<CurvePoint>& release = made_.records[*open].release;
         const double reached = release.back().displacement_mm;
         for (const CurvePoint& p : each.points)
@@ -533,7 +534,7 @@ bool liesOnTwoCurves(const std::vector<CurvePoint>& points) {
 
 bool holdsSortedLoop(const std::vector<CurvePoint>& points) {
   constexpr std::size_t fewest = 12;
-  constexpr double mostTurns = 0.4;  // of all points; a traced stroke has a handful
+  constexpr double mostTurns = 0.4;  // share of all points; a traced stroke has a handful
   if (points.size() < fewest) return false;
   const auto [low, high] = std::ranges::minmax(points, {}, &CurvePoint::force_N);
   const double least = 0.01 * (high.force_N - low.force_N);

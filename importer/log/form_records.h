@@ -15,11 +15,11 @@ struct RecordRequest {
   const DataTable* data = nullptr;
   std::optional<std::size_t> strokeColumn, cycleColumn;  ///< positions in DataTable::columns, given by hand
   bool swap = false;
-  bool eitherStroke = false;  ///< a file of one stroke: what it holds stands as the press
+  bool eitherStroke = false;  ///< the file has one stroke, which counts as the press
 };
 
-/// Fills in the records of an interpretation whose columns and units are settled, and adds what the cuts say
-/// for it. TableLack::none: there is at least one record, each with a press of two samples or more.
+/// Fills in the records of an interpretation whose columns and units are settled, and adds the evidence of
+/// the cuts. TableLack::none: there is at least one record, each with a press of two samples or more.
 TableLack formRecords(const RecordRequest& request, LogInterpretation& made);
 
 /// The stroke that a text names; nullopt: none, or both.

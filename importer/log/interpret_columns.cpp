@@ -20,8 +20,8 @@ namespace {
 
 using Columns = std::vector<std::size_t>;  // positions in DataTable::columns
 
-constexpr double kNamed = 2;        // log-likelihood from which on a column is called what it is
-constexpr double kPossible = -1.5;  // down to which it may be
+constexpr double kNamed = 2;        // log-likelihood from which a column counts as named
+constexpr double kPossible = -1.5;  // log-likelihood down to which a column may be one
 
 /// The column that a person gave by number or title; nullopt: none is called so.
 std::optional<std::size_t> columnGiven(const DataTable& data, const std::string& given) {
@@ -58,7 +58,7 @@ bool isPeakHold(const DataColumn& a, const DataColumn& b) {
     held += std::abs(a.values[i]) < most;
     ++count;
   }
-  constexpr double within = 0.005;  // of the span, on average
+  constexpr double within = 0.005;  // share of the span, on average
   return count >= 8 && held * 20 >= count && span > 0 && off / static_cast<double>(count) < within * span;
 }
 
@@ -75,7 +75,7 @@ double proportionOf(const DataColumn& a, const DataColumn& b) {
   double worst = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i)
     if (!std::isnan(a.values[i])) worst = std::max(worst, std::abs(b.values[i] - k * a.values[i]));
-  constexpr double within = 0.004;  // of the span: the last digit of a coarse one
+  constexpr double within = 0.004;  // share of the span: the last digit of a coarse one
   return worst <= within * (b.high - b.low) ? k : 0;
 }
 
@@ -92,7 +92,7 @@ bool isSum(const DataTable& data, std::size_t total, const Columns& others) {
     if (std::isnan(sum) || std::isnan(data.columns[total].values[i])) continue;
     worst = std::max(worst, std::abs(sum - data.columns[total].values[i]));
   }
-  constexpr double within = 0.02;  // of the span
+  constexpr double within = 0.02;  // share of the span
   const DataColumn& column = data.columns[total];
   return column.high > column.low && worst <= within * (column.high - column.low);
 }
@@ -231,7 +231,7 @@ class Interpreter {
     for (const auto& [given, force] : {std::pair(givenX_, false), {givenF_, true}})
       if (given && column(*given).unit.kind == ColumnUnit::Kind::other && result_.unknownUnit.empty())
         result_.unknownUnit = column(*given).unit.text, result_.unknownUnitOfForce = force;
-    // A constant column measures nothing; said as what it is.
+    // A constant column measures nothing, and the reason names it.
     const auto moves = [&](const Columns& all) {
       return std::ranges::any_of(all, [&](std::size_t c) { return !column(c).isConstant(); });
     };
@@ -259,8 +259,8 @@ class Interpreter {
     if (!givenF_) dropCopies(fs_, true);
   }
 
-  /// Leaves out what is a second form of another column: the same in another unit, peak hold, filtered,
-  /// bounds around a mean, parts of a total, an axis that stands still.
+  /// Leaves out other forms of a column: the same in another unit, peak hold, filtered, bounds around a
+  /// mean, parts of a total, an axis that stands still.
   void dropCopies(Columns& all, bool force) {
     const auto strokeOf = [&](std::size_t c) { return columnStroke(c); };
     const auto erase = [&](auto is) {
@@ -290,7 +290,7 @@ class Interpreter {
         }
       }
     }
-    // The same in another unit or from another place: the first of them.
+    // Columns with the same readings in another unit or place count once: the first one is kept.
     Columns kept;
     for (const std::size_t c : all) {
       const bool copy = std::ranges::any_of(kept, [&](std::size_t other) {
@@ -328,7 +328,7 @@ class Interpreter {
     if (xs_.size() == 1) return xs_.front();
     const auto at = static_cast<std::size_t>(std::ranges::find(fs_, force) - fs_.begin());
     if (xs_.size() == fs_.size()) return xs_[at];
-    // The nearest before it, else the first.
+    // The nearest displacement column to the left, else the first.
     std::size_t best = xs_.front();
     for (const std::size_t x : xs_)
       if (x < force) best = x;
@@ -503,7 +503,7 @@ class Interpreter {
           x = column(g.displacement).values[i], f = column(g.force).values[i];
       return f;
     };
-    constexpr double within = 0.02;  // of the span
+    constexpr double within = 0.02;  // share of the span
     return std::abs(at(a) - at(b)) <= within * (column(a.force).high - column(a.force).low);
   }
 

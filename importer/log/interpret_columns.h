@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which columns of a table are what: every assignment that the titles, units and values leave open, with its
-// evidence.
+// Assigns quantities to the columns of a table: every assignment that titles, units and values leave open,
+// with its evidence.
 
 #include <optional>
 #include <string>

@@ -21,7 +21,7 @@ struct LogRecord {
 /// Columns that belong together, as positions in DataTable::columns.
 struct ColumnGroup {
   std::size_t displacement = 0, force = 0;
-  std::optional<Stroke> stroke;  ///< where the columns hold one stroke alone
+  std::optional<Stroke> stroke;  ///< set if the columns hold one stroke alone
   std::string name;
 };
 
@@ -38,7 +38,7 @@ struct LogInterpretation {
   std::vector<ColumnGroup> groups;
   AssumedUnit xUnit, yUnit;
   Evidence evidence;
-  std::vector<LogRecord> records;  ///< at least one, with a press; empty: it gives none
+  std::vector<LogRecord> records;  ///< at least one, with a press; empty: the interpretation gives no record
   bool forcesTurned = false, displacementTurned = false, fromRun = false, joined = false;
   std::string reading(const DataTable& data) const;
 };

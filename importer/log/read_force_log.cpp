@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kMostText_bytes = std::size_t{256} << 20;
 constexpr std::size_t kMostArchive_bytes = std::size_t{32} << 20;
 constexpr std::size_t kMostSamples = std::size_t{1} << 20;
-constexpr double kSameButton = 0.01;  // of the span: readings that differ by less give one button
+constexpr double kSameButton = 0.01;  // share of the span: readings that differ by less give one button
 constexpr double kStrokesApart = 6;   // evidence of a file that keeps strokes apart being a log
 
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
@@ -156,7 +156,7 @@ class LogReader {
     return best;
   }
 
-  // -- the file -------------------------------------------------------------------------------------------------
+  // -- the file ---------------------------------------------------------------------------------------------
 
   Result<std::string> bytesOf(const std::string& path) const {
     const auto unreadable = [&](Message problem, const Message& remedy) {
@@ -365,7 +365,7 @@ class LogReader {
   /// Two sheets named as the strokes of one button: places in the workbook.
   struct SheetPair {
     std::size_t press = 0, release = 0;
-    std::string name;  ///< the rest of both names
+    std::string name;  ///< the rest of both columns' names
   };
 
   static std::vector<SheetPair> pairedSheets(const std::vector<Table>& sheets) {
@@ -497,8 +497,8 @@ class LogReader {
            std::ranges::any_of(data.columns, [](const DataColumn& each) { return !each.title.empty(); });
   }
 
-  /// A column of one record that is taken for what its title does not say: a question, which is left in
-  /// `reading_`.
+  /// A question if a column of a record is used although its title does not name that quantity; it is left
+  /// in `reading_`.
   std::optional<Message> unknownName(const LogInterpretation& made, const DataTable& data) {
     if (made.groups.size() != 1) return {};
     const DataColumn &x = data.columns[made.groups.front().displacement],
@@ -580,7 +580,7 @@ class LogReader {
     }
   }
 
-  // -- one of several records -----------------------------------------------------------------------------------
+  // -- one of several records -------------------------------------------------------------------------------
 
   static std::string namesOf(const std::vector<LogRecord>& records) {
     std::string all;
@@ -607,7 +607,7 @@ class LogReader {
     for (std::size_t i = 0; i < records.size() && !wanted.empty(); ++i)
       if (wanted == std::to_string(i + 1)) return taken(records, i);
     if (wanted.empty()) {
-      // Cycles of one switch that differ by less than what makes another button are one.
+      // Cycles of one switch count as one record if they differ by less than two buttons would.
       const bool alike = std::ranges::all_of(
           records, [&](const LogRecord& each) { return differenceOf(records.front(), each) < kSameButton; });
       if (alike) {
@@ -646,7 +646,7 @@ class LogReader {
     return {};
   }
 
-  // -- from a record to strokes ---------------------------------------------------------------------------------
+  // -- from a record to strokes -----------------------------------------------------------------------------
 
   std::optional<Failure> finish(const FileRecords& found, LogRecord record) {
     std::vector<CurvePoint>&press = record.press, &release = record.release;
@@ -745,7 +745,7 @@ class LogReader {
     if (shift_mm == 0) {
       // A stage's place is no travel; a press that starts at rest starts at zero.
       constexpr double farShare = 0.5, nearShare = 0.005,
-                       restShare = 0.06;  // of the travel, of the highest force
+                       restShare = 0.06;  // share of the travel; share of the highest force
       const bool atRest = std::abs(press.front().force_N) < restShare * highest_N;
       double lowest_mm = start_mm;  // of both strokes: a release that ends below the press measures from zero
       for (const CurvePoint& p : release) lowest_mm = std::min(lowest_mm, p.displacement_mm);
@@ -763,7 +763,7 @@ class LogReader {
       if (*contact_mm) **contact_mm -= shift_mm;
   }
 
-  /// Takes off what lies before a place; a press begins there without force.
+  /// Removes the part before a displacement; a press begins there without force.
   static void cutBefore(std::vector<CurvePoint>& stroke, double place_mm, bool isPress) {
     if (stroke.empty()) return;
     std::vector<CurvePoint> kept;
@@ -780,7 +780,8 @@ class LogReader {
     stroke = std::move(kept);
   }
 
-  /// Where a column of contact or voltage changes on the way down and back on the way up.
+  /// Reads contact points from a column of contact or voltage that changes on the way down and back on the
+  /// way up.
   void readContacts(const FileRecords& found, const LogInterpretation& made) {
     const DataTable& data = *found.data;
     const auto columnOf = [&](Stroke stroke) -> const DataColumn* {
@@ -825,7 +826,7 @@ class LogReader {
     }
   }
 
-  /// A contact outside of its stroke's travel is none.
+  /// A contact outside of its stroke's travel does not count.
   void placeContacts() {
     const auto keepWithin = [](std::optional<double>& contact_mm, const std::vector<CurvePoint>& stroke) {
       const auto [least, most] = std::ranges::minmax(stroke, {}, &CurvePoint::displacement_mm);
@@ -860,7 +861,7 @@ class LogReader {
     const auto [least, most] = std::ranges::minmax(run, {}, &TimedPlace::place_mm);
     const double range_mm = most.place_mm - least.place_mm;
     if (!(range_mm > 0)) return;
-    constexpr double endShare = 0.1;  // of the travel, at each end: there a stroke begins and stops
+    constexpr double endShare = 0.1;  // share of the travel, at each end: there a stroke begins and stops
     const double low_mm = least.place_mm + endShare * range_mm, middle_mm = least.place_mm + 0.5 * range_mm,
                  high_mm = most.place_mm - endShare * range_mm;
     // When a place is passed, straight between samples; from `at` on.
@@ -898,7 +899,7 @@ class LogReader {
            {log_.rowsSkipped, log_.rowsRead, found.data->firstLeftOutLine, found.data->firstLeftOutText}});
   }
 
-  // -- confidence -----------------------------------------------------------------------------------------------
+  // -- confidence -------------------------------------------------------------------------------------------
 
   /// The margins to other readings that give a different button, and to its being no log, which has no
   /// evidence; and the question that parts the best two.

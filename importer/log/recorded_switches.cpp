@@ -15,7 +15,7 @@
 namespace detent::importer {
 namespace {
 
-// -- spreadsheets ------------------------------------------------------------------------------------------------
+// -- spreadsheets -------------------------------------------------------------------------------------------
 
 /// A column of numbers under its headings.
 struct SheetColumn {
@@ -85,7 +85,7 @@ enum class ColumnKind { other, travel, force, contact };
 struct NamedColumn {
   ColumnKind kind = ColumnKind::other;
   std::optional<Stroke> stroke;
-  std::string name;  // what is left of the heading: which switch
+  std::string name;  // rest of the heading: name of the switch
   LengthUnit unit = LengthUnit::millimetre;
 };
 
@@ -178,8 +178,8 @@ std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const Str
   return {};
 }
 
-/// Of runs of one name the last: a sheet has what the meter wrote first, and beside it what was made of it.
-/// None where one has no name.
+/// Keeps the last run of each name: a sheet lists the meter's readings first and the edited ones beside
+/// them. Empty if a run has no name.
 std::vector<RecordedSwitch> lastOfEachName(std::vector<RecordedSwitch> runs) {
   std::vector<RecordedSwitch> last;
   for (RecordedSwitch& run : runs) {
@@ -190,8 +190,8 @@ std::vector<RecordedSwitch> lastOfEachName(std::vector<RecordedSwitch> runs) {
   return last;
 }
 
-/// Of a sheet whose strokes were never filled in, what the meter wrote: one run, or several that titles tell
-/// apart (of springs, say).
+/// Returns the meter's raw runs of a sheet whose stroke columns were left empty: one run, or several with
+/// names (of springs, for example).
 std::vector<RecordedSwitch> rawRunsOf(const std::vector<SheetColumn>& sheet,
                                       const std::vector<NamedColumn>& columns) {
   std::vector<RecordedSwitch> runs;
@@ -240,7 +240,7 @@ std::vector<RecordedSwitch> switchesOfSheet(const Table& table) {
 
 namespace {
 
-// -- JSON --------------------------------------------------------------------------------------------------------
+// -- JSON ---------------------------------------------------------------------------------------------------
 
 std::vector<double> numbersAt(const nlohmann::json& object, const char* key) {
   std::vector<double> numbers;

@@ -82,7 +82,7 @@ std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke) {
 }
 
 double noiseOf(const std::vector<double>& values, double lastDigit) {
-  constexpr std::size_t enough = 4096;  // bends: they tell the median to 2 %
+  constexpr std::size_t enough = 4096;  // with this many bends the median is exact to 2 %
   const std::size_t every = values.size() / enough + 1;
   std::vector<double> bends;
   double resolution = std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   for (std::size_t i = 0; i < few; ++i) start.push_back(press[i].force_N);
   const auto [lowest, highest] = std::ranges::minmax(press, {}, &CurvePoint::force_N);
   const double first = medianOf(start), span = highest.force_N - lowest.force_N;
-  constexpr double leastBand = 2e-3, mostBand = 0.02;  // of the span
+  constexpr double leastBand = 2e-3, mostBand = 0.02;  // share of the span
   const double band = std::clamp(4 * noise_N, leastBand * span, mostBand * span);
   std::size_t end = 0;
   // Single readings off the band are noise; two in a row are the key.
@@ -122,7 +122,7 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   const double travel = press.back().displacement_mm - press.front().displacement_mm;
   const double flat = end > 0 ? press[end - 1].displacement_mm - press.front().displacement_mm : 0;
   // Short of this it is the beginning of the rise; beyond most of the travel it is the button's own force.
-  constexpr double leastFlat = 0.01, mostFlat = 0.9;  // of the travel
+  constexpr double leastFlat = 0.01, mostFlat = 0.9;  // share of the travel
   if (end < fewest || flat < leastFlat * travel || flat > mostFlat * travel) return std::nullopt;
   // On a slope the rise begins among the last readings of the stretch, so these are left out.
   const std::size_t judged = std::max(fewest, end - end / 5);
@@ -141,12 +141,12 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   if (!(xx > 0)) return std::nullopt;
   const double slope = xf / xx, scatter = std::sqrt(std::max(0.0, ff - slope * xf) / std::max(1.0, n - 2));
   const double rise = slope * (press[judged - 1].displacement_mm - press.front().displacement_mm);
-  constexpr double mostRise = 0.004;  // of the force span: drift of a gauge
+  constexpr double mostRise = 0.004;  // share of the force span: drift of a gauge
   if (rise > std::max(3 * std::sqrt(12.0 / n) * scatter, mostRise * span)) return std::nullopt;
   BeforeContact found;
   found.force_N = medianOf(before);
   // An offset is small against the forces it is an offset of; a plateau at working force is not.
-  constexpr double mostOffset = 0.06;  // of the span
+  constexpr double mostOffset = 0.06;  // share of the span
   if (std::abs(found.force_N) > mostOffset * span) return std::nullopt;
   // Contact: where a line through the first readings of the rise meets the level before it.
   const std::size_t rising = std::min(press.size(), end + 4);

@@ -40,7 +40,7 @@ double noiseOf(const std::vector<double>& values, double lastDigit = std::numeri
 struct BeforeContact {
   double force_N = 0;         ///< of the unloaded gauge
   double contact_mm = 0;      ///< place of contact
-  double uncertainty_mm = 0;  ///< standard error of it
+  double uncertainty_mm = 0;  ///< standard error of the contact
 };
 /// The flat stretch at the start of a press, if there is one: five readings or more of one small force, on no
 /// slope.

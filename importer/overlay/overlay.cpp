@@ -145,7 +145,7 @@ void drawStroke(Canvas& canvas, const StrokeCurve& curve, Stroke stroke, const S
   }
 }
 
-/// The page with what every import, even a refused one, finds on it.
+/// The page with the findings of every import, even of a refused one.
 Canvas canvasOf(const GraphEvidence& evidence) {
   // Small pictures are enlarged; huge ones keep their size.
   const double width = evidence.view.raster.width_px;

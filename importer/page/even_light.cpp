@@ -20,7 +20,8 @@ constexpr int smallestBlock_px = 16;
 // grey level that paper gets: with room above it, so that noise is not clipped on one side
 constexpr double paper = 240;
 constexpr double darkest = 70;  // least level of paper in a sheet that is not dark itself
-// brightness ratio from which a neighbouring block is lighter; light changes less from block to block
+// a block is not paper if a neighbouring block is brighter by this ratio; light changes less from block to
+// block
 constexpr double noPaper = 1.15;
 constexpr double sheetShare = 0.25;  // least share of the picture that is paper
 

@@ -55,25 +55,25 @@ std::vector<Message> messagesOf(const std::vector<EvidenceItem>& evidence);
 
 /// A reason why the result may be wrong.
 enum class DoubtCode {
-  axesUncertain,      ///< messages of their evidence
-  curvesUncertain,    ///< messages of their evidence
+  axesUncertain,      ///< messages of the axes' evidence
+  curvesUncertain,    ///< messages of the curves' evidence
   pointsMakeNoCurve,  ///< distance of the fit from the points, px
   valueContradicts,   ///< message of the printed value
   rangeUnreadable,    ///< numbers along the axis that make no even progression
   ratherADrawing,     ///< messages of the axes' evidence
   resemblesNoLoop,    ///< confidence of the curves, 0..1
-  tooManyCurves,      ///< how many, their colours and names
-  severalSwitches,    ///< how many, their numbers, names and colours
+  tooManyCurves,      ///< number of curves, their colours and names
+  severalSwitches,    ///< number of switches, their numbers, names and colours
   strokesAlike,       ///< colours of the two
   releaseAbovePress,  ///< share of their travel
-  // what no step sees alone, docs/develop/decisions/0805-doubts.md
+  // found by no single step, docs/develop/decisions/0805-doubts.md
   unitMissing,    ///< axis, unit that would be taken
-  otherQuantity,  ///< axis, what it measures as printed
+  otherQuantity,  ///< axis, its quantity as printed
   axesExchanged,
   implausibleTravel,  ///< mm
   implausibleForce,   ///< N
   negativeTravel,     ///< mm at the press's start
-  negativeForce,      ///< N at its lowest
+  negativeForce,      ///< lowest force, N
   strokesCoincide,
   alongAnAxis,
   manyTactilePoints,  ///< how many
@@ -112,7 +112,7 @@ Failure failureOf(const Doubt& doubt, Subject subject = {}, Message place = {});
 /// A fact about a successful import that the user should know.
 enum class RemarkCode {
   imagesUndecoded,  ///< page, images of the document
-  pageUnreadable,   ///< page, what is wrong with it
+  pageUnreadable,   ///< page, reason
   // axes
   lengthUnitAssumed,         ///< axis, unit taken
   smallForcesTakenAsNewton,  ///< axis
@@ -125,21 +125,21 @@ enum class RemarkCode {
   forcesTurned,
   displacementTurned,
   severalPresses,       ///< how many
-  displacementShifted,  ///< mm at its start
+  displacementShifted,  ///< displacement at the start, mm
   preloadTakenOff,      ///< N
   rowsAveraged,         ///< rows in each
   rowsLeftOut,          ///< how many, of how many, line of the first, its text
   noRelease,
   forceScaleDoubtful,
   // graphs of a document
-  sameGraphSeveralTimes,  ///< how often, where (messages), page taken
-  severalGraphs,          ///< how many, page and graph taken
+  sameGraphSeveralTimes,  ///< number of times, places (messages), page taken
+  severalGraphs,          ///< number of graphs, page and graph taken
   doubted,                ///< message of a doubt that is too small to refuse
   printedValueDiffers,    ///< message of the comparison
   // levels that read twice, limits on time
   secondReadingTaken,  ///< message: result of the first reading, or why it failed
   endedByTimeLimit,    ///< seconds
-  // what the page shows beyond what was read
+  // printed on the page but not in the result
   operatingPointNotPlaced,  ///< the plot names one
   resetPointNotPlaced,      ///< the same
   releaseNotDrawn           ///< the press was drawn by hand, its release was not

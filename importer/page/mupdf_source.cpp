@@ -339,7 +339,7 @@ int contrastIn(const Raster& picture, const Box& box) {
 bool isUnseen(const VectorPath& path, const Raster& picture, const Affine& toPicture) {
   // levels: thin grey lines are visible from this on; number of samples
   constexpr int leastContrast = 2, seenForSure = 32;
-  constexpr double leastSeen = 0.2;  // of the samples: invisible lines cross visible ones
+  constexpr double leastSeen = 0.2;  // share of the samples: invisible lines cross visible ones
   const double reach = path.strokeWidth / 2 * std::hypot(toPicture.a, toPicture.b) + 1.5;
   int samples = 0, seen = 0;
   for (const auto& line : path.polylines)

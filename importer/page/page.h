@@ -44,7 +44,7 @@ struct VectorPath {
 /// An image placed on the page.
 struct PlacedImage {
   Box box;                          ///< on the page
-  int width_px = 0, height_px = 0;  ///< its native size
+  int width_px = 0, height_px = 0;  ///< size in the image's own pixels
 };
 
 /// Content of one page. Coordinates in page units.
@@ -53,11 +53,11 @@ struct Page {
   int number = 1, count = 1;
   PageUnit unit = PageUnit::pixel;
   double width = 0, height = 0;
-  std::optional<double> dpi;  ///< of a picture, if it says so
+  std::optional<double> dpi;  ///< of a picture, if its file states it
   std::vector<TextBox> texts;
   std::vector<VectorPath> paths;
   std::vector<PlacedImage> images;
-  std::vector<Remark> remarks;  ///< what of the page could not be read
+  std::vector<Remark> remarks;  ///< parts of the page that could not be read
   Raster overview;  ///< the whole page; pictures: the picture itself, documents: a render for finding graphs
   Affine overviewToPage;
 };

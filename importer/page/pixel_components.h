@@ -16,7 +16,7 @@ struct PixelComponent {
   Box box;  ///< of whole pixels: x1 and y1 are the first column and row beyond it
   int area_px = 0;
   int runsAcross = 0;  ///< number of runs of marked pixels in all its rows
-  int runsDown = 0;    ///< the same in all its columns
+  int runsDown = 0;    ///< number of runs of marked pixels in all its columns
 };
 
 /// Marked pixels of one row without a gap.

@@ -18,7 +18,7 @@ double lengthOf(const Polyline& line);
 /// Length from the first point to each.
 std::vector<double> arcOf(const Polyline& line);
 
-/// Where segment a-b comes nearest to p, 0 (at a) .. 1 (at b).
+/// Position on segment a-b that is nearest to p, 0 (at a) .. 1 (at b).
 double projectionOn(Point a, Point b, Point p);
 
 /// The point of the line nearest to p; the line has at least one.

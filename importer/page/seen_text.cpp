@@ -61,7 +61,7 @@ void Visibility::cover(const Box& box, CoverKind kind, Rgb color, bool hides,
 }
 
 std::vector<bool> Visibility::seenOnce() const {
-  constexpr double nearly = 0.3;     // of a letter's size: copies lie within this distance
+  constexpr double nearly = 0.3;     // share of a letter's size: copies lie within this distance
   constexpr double ofAdvance = 0.6;  // a repeated letter of a word is a whole advance away
   std::vector<bool> once(letters_.size(), false);
   std::map<int, std::vector<std::size_t>> byCode;  // letters of each code, sorted by x

@@ -17,7 +17,7 @@ namespace detent::importer {
 /// One letter as it is set. In page units.
 struct SetLetter {
   int unicode = 0;
-  float x = 0, y = 0;  ///< where it begins on its baseline, exactly as MuPDF says
+  float x = 0, y = 0;  ///< start on the baseline, exactly as MuPDF reports it
   Box box;             ///< advance by height of the font
   double size = 0;     ///< height of the font
   double advance = 0;
@@ -43,7 +43,7 @@ enum class Sight {
 /// Tracks visibility while a page is processed in drawing order.
 class Visibility {
  public:
-  /// `drawn`: false for what is set invisibly, as the text of scans is.
+  /// `drawn`: false for invisible text, such as the text of scans.
   void letter(const SetLetter& letter, bool drawn);
   /// Records a filled area. `hides`: the area conceals everything below it; hidden paths are removed from
   /// `paths`.

@@ -42,7 +42,7 @@ bool samePitch(const AlignedImage& a, const AlignedImage& b) {
 /// processors cut one picture into strips) cover most of the region. A stretched background of a few pixels
 /// does not count.
 std::optional<AlignedImage> dominating(const std::vector<ImagePlacement>& placements, const Box& region) {
-  constexpr double mostOf = 0.5;               // of the region's area
+  constexpr double mostOf = 0.5;               // share of the region's area
   constexpr double coarsestPitch = 72.0 / 40;  // points per pixel: 40 dpi
   std::vector<AlignedImage> images;
   for (const ImagePlacement& placement : placements) {
@@ -77,7 +77,7 @@ bool carriesDrawing(const Page& page, const Box& region) {
 
 /// Pixels per page unit of the finest image that covers a fair part of the region; a render is never coarser.
 double finestImageScale(const std::vector<ImagePlacement>& images, const Box& region) {
-  constexpr double fairPart = 0.05;  // of the region's area
+  constexpr double fairPart = 0.05;  // share of the region's area
   double scale = 0;
   for (const ImagePlacement& placement : images) {
     if (coverage(placement.image.box, region) < fairPart) continue;

@@ -486,7 +486,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   if (const auto before = readTextFile(report->path())) accepted.count(*before);  // kept by --resume
   Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
-    const std::string key = keyOf(input);  // key of what is about to be read
+    const std::string key = keyOf(input);  // key of the input before it is read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
     Reported reported{.explains = a.explain};
     const int code = handleInput(a, input,

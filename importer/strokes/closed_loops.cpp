@@ -85,7 +85,7 @@ bool endFarApart(const CurvePath& a, const CurvePath& b) {
 /// not cross.
 double crossedShare(const CurvePath& a, const CurvePath& b) {
   constexpr int columns = 100;
-  constexpr double clear = 0.02;  // of the height
+  constexpr double clear = 0.02;  // share of the height
   const double height_px = a.room_px.joined(b.room_px).height();
   const double from_px = std::max(a.room_px.x0, b.room_px.x0), to_px = std::min(a.room_px.x1, b.room_px.x1);
   int above = 0, below = 0;
@@ -101,7 +101,7 @@ double crossedShare(const CurvePath& a, const CurvePath& b) {
 /// Smaller distance of a far end from the other line, as a share of their common bounding box. Among measured
 /// switches no release begins farther than 0.007 from its press
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
-double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
+double gapOfPaths(const CurvePath& a, const CurvePath& b) {
   const Box joinedRoom = a.room_px.joined(b.room_px);
   const auto inShares = [&](const CurvePath& path) {
     Polyline shares;
@@ -111,32 +111,33 @@ double gapAtTheEnds(const CurvePath& a, const CurvePath& b) {
   };
   if (joinedRoom.width() <= 0 || joinedRoom.height() <= 0) return 0;
   const Polyline ofA = inShares(a), ofB = inShares(b);
-  const auto gap = [](const Polyline& from, const Polyline& to) {
-    return distance(from.back(), nearestOn(to, from.back()));
-  };
-  return std::min(gap(ofA, ofB), gap(ofB, ofA));
+  return gapAtTheEnds(ofA, ofA.back(), ofB, ofB.back());
 }
 
 /// Returns true if both begin and end in one point, as press and release of one switch do but two presses do
 /// not: of 238 pairs of drawn presses none ended within 0.03 of each other, of 550 switches 523 within 0.01.
 bool endInOnePoint(const CurvePath& a, const CurvePath& b) {
   constexpr Apart closed{0.03, 0.01, 0.025};
-  constexpr double mostGap = 0.005;  // of their common bounding box
-  return endTogether(a, b, closed) && gapAtTheEnds(a, b) <= mostGap;
+  constexpr double mostGap = 0.005;  // share of their common bounding box
+  return endTogether(a, b, closed) && gapOfPaths(a, b) <= mostGap;
 }
 
 /// Returns true if the curves cross more than two strokes of one switch do. Strokes of a key with two snaps
 /// also cross, along part of the release near the common end.
 bool cross(const CurvePath& a, const CurvePath& b) {
   constexpr double least = 0.08,
-                   ofTwoSnaps = 0.28;  // of the columns; 17 drawn keys with two snaps have 0.23 at most
+                   ofTwoSnaps = 0.28;  // share of the columns; 17 drawn keys with two snaps have 0.23 at most
   return crossedShare(a, b) > (endInOnePoint(a, b) ? ofTwoSnaps : least);
 }
 
 }  // namespace
 
+double gapAtTheEnds(const Polyline& a, Point endOfA, const Polyline& b, Point endOfB) {
+  return std::min(distance(endOfA, nearestOn(b, endOfA)), distance(endOfB, nearestOn(a, endOfB)));
+}
+
 bool onlyFalls(const CurveTrace& trace) {
-  constexpr double rippleShare = 0.02;  // of the fall; traced points are noisy
+  constexpr double rippleShare = 0.02;  // share of the fall; traced points are noisy
   // sideways: on a steep fall a small sideways error is a large one in force
   constexpr double waver_px = 1.5;
   const CurvePath path = pathOf(trace);
@@ -199,8 +200,8 @@ std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const I
     if (paths[i].room_px.width() < leastWidth * widest_px) return {};
     for (std::size_t j = 0; j < i; ++j) {
       // With only two curves, the one that ends early may be a release that was traced incompletely.
-      const bool endApart = drawn.size() > 2 &&
-                            (endFarApart(paths[i], paths[j]) || gapAtTheEnds(paths[i], paths[j]) > leastGap);
+      const bool endApart =
+          drawn.size() > 2 && (endFarApart(paths[i], paths[j]) || gapOfPaths(paths[i], paths[j]) > leastGap);
       if (traces[drawn[i]].color == traces[drawn[j]].color || !(endApart || cross(paths[i], paths[j])))
         return {};
     }

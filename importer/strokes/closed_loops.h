@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "importer/page/polyline.h"
 #include "importer/trace/curve_trace.h"
 
 namespace detent::importer {
@@ -14,6 +15,9 @@ namespace detent::importer {
 /// button does: it begins where the finger meets the key and ends at the bottom-out. `trace` of two points or
 /// more.
 bool onlyFalls(const CurveTrace& trace);
+
+/// Smaller distance of one line's end from the other line. `endOfA`, `endOfB`: points of the lines.
+double gapAtTheEnds(const Polyline& a, Point endOfA, const Polyline& b, Point endOfB);
 
 /// The curves that close loops, one pair for each switch, the upper one first: both begin and end together,
 /// and the upper one lies above along the whole travel. `drawn` are indices of traces of two points or more.

@@ -8,6 +8,7 @@
 
 #include "importer/axes/text_source.h"
 #include "importer/page/polyline.h"
+#include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
 #include "importer/strokes/switches.h"
@@ -79,7 +80,8 @@ std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, doubl
 
 struct Comparison {
   double commonShare = 0;  ///< displacement that both cover, relative to that which either covers
-  double above = 0;        ///< share of it where the first lies clearly above the second
+  /// share of the common displacement where the first stroke lies clearly above the second
+  double above = 0;
   double below = 0;
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };
@@ -238,7 +240,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
 /// A key returns no more energy than was put into it. A curve above the press over a noticeable share of the
 /// travel is therefore a callout's box or another switch's curve. Colours given by the user are accepted.
 std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double clearShare = 0.05, leastTravel = 0.15;  // of the press' force; of the shared travel
+  // share of the press force; share of the shared travel
+  constexpr double clearShare = 0.05, leastTravel = 0.15;
   const auto [low, high] =
       std::minmax_element(press.points.begin(), press.points.end(),
                           [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; });
@@ -255,12 +258,13 @@ std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoint
 /// A stroke's largest drop of force over increasing displacement.
 struct Drop {
   double force_N = 0;
-  /// where most of it has happened: on the flat floor of a valley, noise decides which point is lowest
+  /// displacement at which most of the drop has happened: on the flat floor of a valley, noise decides which
+  /// point is lowest
   double valley_mm = 0;
 };
 
 Drop largestDrop(const StrokePoints& stroke) {
-  constexpr double over = 0.95;  // of the drop
+  constexpr double over = 0.95;  // share of the drop
   Drop largest;
   auto peak = stroke.points.begin(), from = peak;
   for (auto p = stroke.points.begin(); p != stroke.points.end(); ++p) {
@@ -281,7 +285,7 @@ double topOf(const StrokePoints& stroke, double CurvePoint::*coordinate) {
 
 /// Returns true if both strokes drop so much that position and shape of the drops distinguish them.
 bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double leastDrop = 0.05;  // of the press' highest force
+  constexpr double leastDrop = 0.05;  // share of the press' highest force
   const double highest_N = topOf(press, &CurvePoint::force_N);
   return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
 }
@@ -290,7 +294,7 @@ bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
 /// release drops at less displacement; otherwise it is another switch's. Both by increasing displacement
 /// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
 bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double late = 0.05;  // of the travel; 192 pairs have 0.035 at most, a named dome more
+  constexpr double late = 0.05;  // share of the travel; 192 pairs have 0.035 at most, a named dome more
   const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;
   return bothDrop(press, release) &&
          largestDrop(release).valley_mm - largestDrop(press).valley_mm > late * travel_mm;
@@ -311,7 +315,7 @@ double topsApart(const StrokePoints& first, const StrokePoints& second, double C
 /// Returns true if a release ends clearly before the end of the press. It starts where the press ended, so it
 /// was traced incompletely or is another switch's press.
 bool reachApart(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clear = 0.1;  // of both strokes' travel
+  constexpr double clear = 0.1;  // share of both strokes' travel
   return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
 }
 
@@ -319,7 +323,8 @@ bool reachApart(const StrokePoints& first, const StrokePoints& second) {
 /// the loop is open, as between curves of two switches. On a bottom-out the strokes of one button may be cut
 /// at different heights.
 double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double lastShare = 0.03, steep = 0.1;  // of the travel; of the span, over that stretch
+  // share of the travel; share of the span, over that stretch
+  constexpr double lastShare = 0.03, steep = 0.1;
   constexpr std::size_t columns = 200;
   const double least_mm = lastShare * spanOfBoth(first, second, &CurvePoint::displacement_mm),
                span_N = spanOfBoth(first, second, &CurvePoint::force_N);
@@ -342,8 +347,8 @@ double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
 /// Returns true if one of two lines in different colours reaches farther and the other higher: they belong to
 /// two switches. A release that ends below the press reaches less in both directions.
 bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clearForce = 0.1;    // of both strokes' span; 123 drawn pairs have 0.013 at most
-  constexpr double clearTravel = 0.02;  // the same; those pairs have 0
+  constexpr double clearForce = 0.1;    // share of both strokes' span; 123 drawn pairs have 0.013 at most
+  constexpr double clearTravel = 0.02;  // share of both strokes' span; 0 in those pairs
   const double higher = topsApart(first, second, &CurvePoint::force_N),
                further = topsApart(first, second, &CurvePoint::displacement_mm);
   return higher * further < 0 && std::abs(higher) > clearForce && std::abs(further) > clearTravel;
@@ -359,26 +364,24 @@ Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
 }
 
 /// Smaller distance of a far end from the other line, as a share of their common span.
-double gapAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
+double gapOfStrokes(const StrokePoints& first, const StrokePoints& second) {
   const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
                         spanOfBoth(first, second, &CurvePoint::force_N)};
   if (!(span.displacement_mm > 0 && span.force_N > 0)) return 0;
   const Polyline a = inShares(first, span), b = inShares(second, span);
-  const auto gap = [](const Polyline& from, const Polyline& to) {
-    const Point end = *std::ranges::max_element(from, {}, &Point::x);
-    return distance(end, nearestOn(to, end));
-  };
-  return std::min(gap(a, b), gap(b, a));
+  const auto farEnd = [](const Polyline& line) { return *std::ranges::max_element(line, {}, &Point::x); };
+  return gapAtTheEnds(a, farEnd(a), b, farEnd(b));
 }
 
 /// Returns true if two lines in different colours end at different heights, with the lower end beside the
 /// other line and not on it: two presses, each with its own bottom-out. A release that is cut lower on the
 /// bottom-out begins on the press.
 bool bottomOutsApart(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clearForce = 0.12;  // of both strokes' span
-  constexpr double beside = 0.01;  // of both spans; 449 drawn pairs of measured switches have 0.005 at most
+  constexpr double clearForce = 0.12;  // share of both strokes' span
+  // share of both spans; 449 drawn pairs of measured switches have 0.005 at most
+  constexpr double beside = 0.01;
   return std::abs(topsApart(first, second, &CurvePoint::force_N)) > clearForce &&
-         gapAtTheEnd(first, second) > beside;
+         gapOfStrokes(first, second) > beside;
 }
 
 /// Share of the mean square difference between two strokes, over their common travel, that vanishes if one is
@@ -414,7 +417,7 @@ double sharedShape(const StrokePoints& first, const StrokePoints& second) {
 bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
   constexpr double open = 0.015;  // pairs of one shape have at most 0.007, more with a stepped bottom-out
   constexpr double alike = 0.9;   // pairs that stay open have 0.84 at most
-  return bothDrop(first, second) && gapAtTheEnd(first, second) > open && sharedShape(first, second) > alike;
+  return bothDrop(first, second) && gapOfStrokes(first, second) > open && sharedShape(first, second) > alike;
 }
 
 /// Returns true for the release of a key that locks: both lines end together, and the one that starts at
@@ -422,13 +425,13 @@ bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
 /// Both by increasing displacement.
 bool locksAtBaseline(const StrokePoints& press, const StrokePoints& release, double below) {
   constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of the span of both
-  constexpr double mostBelow = 0.02;                                // of the shared travel
+  constexpr double mostBelow = 0.02;                                // share of the shared travel
   const double span_mm = spanOfBoth(press, release, &CurvePoint::displacement_mm),
                rest_N = atRest * spanOfBoth(press, release, &CurvePoint::force_N);
   const CurvePoint from = press.points.front(), to = release.points.front();
   return to.displacement_mm - from.displacement_mm > farther * span_mm && below <= mostBelow &&
          std::max(std::abs(from.force_N), std::abs(to.force_N)) < rest_N && !reachApart(press, release) &&
-         gapAtTheEnd(press, release) < together;
+         gapOfStrokes(press, release) < together;
 }
 
 /// Press and release of one switch.
@@ -450,7 +453,8 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
-  constexpr double mostOpen = 0.16;  // of the force span; 327 drawn or measured buttons have 0.13 at most
+  // share of the force span; 327 drawn or measured buttons have 0.13 at most
+  constexpr double mostOpen = 0.16;
   const bool apart = !byHand && !paired &&
                      (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
                       (first.color != second.color && (tipsCrossed(a, b) || bottomOutsApart(a, b))));
@@ -545,7 +549,7 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
 /// Returns true if `other` continues from one end of `own` in the same direction: the rest of `own` is hidden
 /// under it. A line that only crosses the end hides nothing.
 bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
-  constexpr double goesOnShare = 0.05, sameWay = 0.7;  // of the height that `own` spans; cosine
+  constexpr double goesOnShare = 0.05, sameWay = 0.7;  // share of the height that `own` spans; cosine
   constexpr std::size_t stepsBack = 8;                 // points to either side
   constexpr double most_px = 3;                        // between the middles of both lines
   orient(own), orient(other);

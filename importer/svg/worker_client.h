@@ -29,7 +29,7 @@ enum class WorkerEnd {
   refused,     ///< `words`: what is wrong with the drawing, in the library's English
   tooSlow,
   tooLarge,  ///< the drawing exceeds the limits
-  broke      ///< it crashed or ran out of memory
+  broke      ///< the worker crashed or ran out of memory
 };
 
 struct WorkerResult {

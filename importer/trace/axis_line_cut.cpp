@@ -12,13 +12,13 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeastTail = 0.05;  // of the frame's width; shorter ones are rounded corners
-// of the frame's width, free of curves, for measuring the axis' thickness
+constexpr double kLeastTail = 0.05;  // share of the frame's width; shorter ones are rounded corners
+// share of the frame's width, free of curves, for measuring the axis' thickness
 constexpr double kLeastBare = 0.03;
 // times the axis' own thickness; a curve drawn over it would be visible
 constexpr double kLeastThicker = 1.12;
 constexpr double kSame =
-    0.35;  // of the difference between the axis' and the curve's thickness; less means axis only
+    0.35;  // share of the difference between the axis' and the curve's thickness; less means axis only
 constexpr double kThickest_px = 8;  // of a curve; points farther from the axis are not on it
 constexpr double kBeside = 3;       // curve widths within which a curve thickens the axis
 constexpr double kColumn_px = 3;    // beside a vertical line of the plot, where the axis is thicker

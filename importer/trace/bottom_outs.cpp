@@ -12,7 +12,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row of the bottom-out
+constexpr double kLeastOfCurve = 0.6;  // share of the curve's thickness, for a row of the bottom-out
 constexpr double kMostOfCurve = 1.7;   // of the curve's thickness; bars and shaded areas are thicker
 constexpr double kLean_px = 0.75;      // lean between the halves of a bottom-out, at most
 // additional pixels compared with the plot's own line, whatever the curve's thickness
@@ -21,11 +21,11 @@ constexpr double kMuchOfThickness = 0.35;  // the same as a share of the curve's
 constexpr double kLittle_px =
     0.3;  // additional pixels compared with that line, if all rows and the curve's thickness agree
 constexpr double kThinRows =
-    0.15;  // of a lane's rows: the thin rows of a bottom-out are thicker than the thick rows of a line
-// of the frame's height; without pixels over this distance below the end there is no line
+    0.15;  // share of a lane's rows: the thin rows of a bottom-out are thicker than the thick rows of a line
+// share of the frame's height; without pixels over this distance below the end there is no line
 constexpr double kBareBelow = 0.1;
 constexpr double kPlumb_px = 1.5;      // px within which the points of a vertical rise lie
-constexpr double kLeastHeight = 0.05;  // of the frame's height
+constexpr double kLeastHeight = 0.05;  // share of the frame's height
 constexpr std::size_t kLeastRows = 6;  // rows needed to measure a thickness
 constexpr double kProbed_px = 14;      // rows examined; a horizontal line may cover 7 of them
 // line widths beside the bottom-out within which a crest belongs to the corner

@@ -26,7 +26,7 @@ Polyline calmNormalsOf(const Polyline& line, double sigma) { return normalsOf(sm
 struct CrossSection {
   double own = 0;     ///< integral of the curve's own coverage, px
   double offset = 0;  ///< its centroid
-  double spread = 0;  ///< its variance, px²
+  double spread = 0;  ///< variance of the profile, px²
   double hidden = 0;  ///< integral of the coverage by other curves
   double hiddenOffset = 0;
   double clutter = 0;

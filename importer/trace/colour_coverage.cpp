@@ -80,7 +80,8 @@ class PixelUnmixer {
 
 Plane pooled(const Plane& plane, int factor) {
   Plane out((plane.width + factor - 1) / factor, (plane.height + factor - 1) / factor);
-  std::vector<float> rows(static_cast<std::size_t>(plane.width));  // the largest of those joined
+  std::vector<float> rows(
+      static_cast<std::size_t>(plane.width));  // per column, the largest value of the joined rows
   for (int top = 0; top < plane.height; top += factor) {
     std::fill(rows.begin(), rows.end(), 0.0F);
     for (int y = top; y < std::min(top + factor, plane.height); ++y) {

@@ -16,7 +16,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kMostStrength = 0.8F;      // of the colour's strength, for a paler line
+constexpr float kMostStrength = 0.8F;      // share of the colour's strength, for a paler line
 constexpr float kMaxShadeCoverage = 1.2F;  // coverage, as in unmix
 
 cv::Mat square(int reach_px) {

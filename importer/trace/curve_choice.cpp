@@ -183,7 +183,7 @@ CurveColour bestLine(const PlotColours& plot, int index, bool neutral, double& e
 bool isFilledArea(const PlotColours& plot, int index) {
   constexpr float kInked = 0.4F;  // coverage
   constexpr int kLeastWidth_px = 7;
-  constexpr double kMarker = 0.08;  // of the frame's smaller side, at most
+  constexpr double kMarker = 0.08;  // share of the frame's smaller side, at most
   const Plane& own = plot.coverage.planes[static_cast<std::size_t>(index)];
   const double side_px = std::min(plot.area().frame.width(), plot.area().frame.height());
   const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
@@ -273,7 +273,7 @@ bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
 
 /// Returns true if each curve ends elsewhere than all others, unlike the strokes of one switch.
 bool endApart(const std::vector<CurveColour>& curves) {
-  constexpr double clear = 0.1;  // of the longest one's travel
+  constexpr double clear = 0.1;  // share of the longest one's travel
   double travel_px = 0;
   for (const CurveColour& curve : curves) travel_px = std::max(travel_px, curve.pooling * curve.path.span_px);
   for (std::size_t i = 0; i < curves.size(); ++i)
@@ -309,7 +309,8 @@ bool isOneMore(const PlotColours& plot, const std::vector<CurveColour>& curves, 
 /// line.
 bool isLineFromRest(const PlotColours& plot, const std::vector<CurveColour>& curves,
                     const CurveColour& line) {
-  constexpr double near = 0.03, leastTravel = 0.9;  // of the frame, each way; of the travel of the longest
+  // share of the frame, each way; share of the travel of the longest
+  constexpr double near = 0.03, leastTravel = 0.9;
   const Box& frame = plot.area().frame;
   const auto startOf = [](const CurveColour& curve) {
     return static_cast<double>(curve.pooling) * *std::ranges::min_element(curve.path.points, {}, &Point::x);

@@ -24,26 +24,26 @@ struct CurveColour {
 };
 
 struct CurveChoiceOptions {
-  double minSpan = 0.12;                 ///< of the frame's width; shorter lines are no curves
+  double minSpan = 0.12;                 ///< share of the frame's width; shorter lines are no curves
   double minCoveredShare = 0.5;          ///< of its visible path; dashes have about this share
   double minCoveredShareNeutral = 0.85;  ///< the same in the colour of text and frame
-  double minOwnShare = 0.6;              ///< of that colour's pixels; a line with more owns the colour
+  double minOwnShare = 0.6;              ///< share of that colour's pixels; a line with more owns the colour
   /// Share of its visible path above which a line is solid, even after compression; dotted ones have 0.83 at
   /// most.
   double solidColour = 0.9;
-  double minOwnColumns = 0.4;  ///< of the spanned columns; the rest may be bridged
+  double minOwnColumns = 0.4;  ///< share of the spanned columns; the rest may be bridged
   double minExplained = 0.3;   ///< of the colour's pixels outside text and legend
   double minOfBest = 0.3;      ///< of the best curve's gain; less is a remainder of something else
   double minStrength = 0.22;   ///< of the best curve's contrast; less is shaded paper
-  double strandsApart = 0.02;  ///< of the frame's height, between two strokes of one colour
+  double strandsApart = 0.02;  ///< share of the frame's height, between two strokes of one colour
   /// Share of its columns above which a second line has the same colour; dashes have about half, and strokes
   /// touch.
   double secondStrand = 0.18;
   double haloStrength = 0.6;  ///< of the line's contrast; a paler line along it is its halo
   double tintStrength = 0.8;  ///< the same for a halo of the line's own hue
-  double fillWidth = 0.02;    ///< of the frame's smaller side; what is wider everywhere is no line
-  double fillShare = 0.5;     ///< of a colour's pixels in such wide places; more is a band or a filled area
-  double haloAlong = 0.9;     ///< share of a halo's path that lies on its line
+  double fillWidth = 0.02;  ///< share of the frame's smaller side; a mark that is wider everywhere is no line
+  double fillShare = 0.5;   ///< of a colour's pixels in such wide places; more is a band or a filled area
+  double haloAlong = 0.9;   ///< share of a halo's path that lies on its line
 };
 
 /// A legend key: a short horizontal line of one colour, isolated, beside a row of text.

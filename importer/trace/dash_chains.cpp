@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kFewestDashes = 4;      // dashes of a line
 constexpr std::size_t kMostDashParts = 1500;  // pieces; more is noise
 constexpr double kShortest = 1.6;             // thicknesses of a line, for a dash
-constexpr double kLongest = 0.12;             // of the area's diagonal
+constexpr double kLongest = 0.12;             // share of the area's diagonal
 constexpr double kGapTimes = 2;               // times the shorter dash, plus two pixels
 constexpr double kStraightOn = 0.8;           // cosine between a dash and the direction to the next
 constexpr double kRegularDashShare = 0.7, kRegularDashWithin = 0.5,

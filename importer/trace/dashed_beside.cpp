@@ -47,8 +47,8 @@ double shareAt(const CoarseCurve& path, const Plane& own, double within_px) {
 
 std::optional<DashedPath> dashedBeside(const CurveTrace& solid, const CurveColour& curve,
                                        const std::vector<int>& curveColours, const PlotColours& plot) {
-  constexpr double leastTravel = 0.5;  // of the solid line's travel
-  // of the remaining coverage; rims of markers lie on both sides of their line
+  constexpr double leastTravel = 0.5;  // share of the solid line's travel
+  // share of the remaining coverage; rims of markers lie on both sides of their line
   constexpr double ownColourShare = 0.6;
   if (curve.dashed || solid.points_px.size() < 2) return {};
   DashedPath found{fieldOf(plot, curve.entryIndex, curveColours), {}};

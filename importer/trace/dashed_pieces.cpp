@@ -23,7 +23,7 @@ constexpr double shortestOfGaps = 0.4, longestOfGaps = 1.7;  // of the line's us
 // share of the gaps, and their deviation from the usual one
 constexpr double evenShare = 0.8, evenWithin = 0.35;
 constexpr double sameWidth = 1.6;                   // times
-constexpr double leastTurnedBack = 0.3;             // of a piece's length, from its end
+constexpr double leastTurnedBack = 0.3;             // share of a piece's length, from its end
 constexpr double dotLength = 1.6, dashLength = 12;  // of a dot, in roots of its area; of a dash, in widths
 
 /// A piece and the end at which it is reached: 0 its first point, 1 its last.

@@ -19,8 +19,8 @@ namespace {
 constexpr double kDashCoverage = 0.25;  // coverage
 constexpr std::size_t kFewestPieces = 8,
                       kMostPieces = 1500;  // pieces of a dashed line, and of a line that is not noise
-constexpr double kLargestShare = 0.25;     // of the coverage, in one dash
-constexpr double kDustShare = 0.2;         // of the usual dash's area
+constexpr double kLargestShare = 0.25;     // share of the coverage, in one dash
+constexpr double kDustShare = 0.2;         // share of the usual dash's area
 constexpr double kLongestGap = 2.5;        // in usual gaps; one dash may be hidden
 // Share of gaps within 0.4 (or 1.5 px) of the usual one: of dashes at least 0.81, of coloured rims of letters
 // at most 0.32.

@@ -262,7 +262,7 @@ Remainder remainderOf(const std::vector<Point>& pixels, const ExplainedPlot& plo
 /// An isolated dashed line. Those along an axis are marker lines.
 Remainder remainderOfDashes(const std::vector<Point>& pixels, const ExplainedPlot& plot,
                             const std::vector<End>& ends) {
-  constexpr double alongAxis = 0.05;  // of the longer side
+  constexpr double alongAxis = 0.05;  // share of the longer side
   Remainder r = remainderOf(pixels, plot, ends);
   const Box box = boundsOf(pixels);
   const bool guide = std::min(box.width(), box.height()) <
@@ -328,7 +328,7 @@ Patches patchesOf(const ExplainedPlot& plot, const cv::Mat& left) {
 }
 
 std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& left) {
-  constexpr double kLeastLength = 0.03;  // of the diagonal
+  constexpr double kLeastLength = 0.03;  // share of the diagonal
   cv::Mat joined, labels, stats, centroids, pieces;
   cv::connectedComponents(left, pieces, 8, CV_32S);
   cv::dilate(left, joined,
@@ -386,7 +386,7 @@ bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_
 /// over more than a few dashes at once, because there are no more between the last dash and an end.
 bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std::vector<Point>& points,
                        const std::vector<Stretch>& dashed, const BareAt& isGap) {
-  constexpr double leastShare = 0.1;  // of the points
+  constexpr double leastShare = 0.1;  // share of the points
   constexpr double fewPaces = 2;      // from one gap to the next
   const double few_px = fewPaces * std::ranges::min(dashed, {}, &Stretch::pace_px).pace_px;
   double alone = 0, run = 0;
@@ -412,14 +412,14 @@ bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std:
   return alone > leastShare * static_cast<double>(points.size());
 }
 
-/// Where a solid curve runs along a dashed line.
+/// Stretches on which a solid curve runs along a dashed line.
 std::vector<TraceJump> overDashes(const ExplainedPlot& plot) {
-  constexpr double leastShare = 0.08;  // of the diagonal
+  constexpr double leastShare = 0.08;  // share of the diagonal
   const Box& frame = plot.area().frame;
   const double diagonal_px = std::hypot(frame.width(), frame.height());
   std::vector<TraceJump> jumps;
   for (const Drawn& each : plot.drawn()) {
-    if (each.fromVector) continue;  // its own pieces show what belongs together
+    if (each.fromVector) continue;  // pieces of vector paths already show which dashes belong together
     const std::vector<Point> points = densified(each.points, 1);
     const auto isGap = [&](Point p) { return plot.isGap(p, each); };
     std::vector<Stretch> dashed = dashedStretches(points, each.thickness_px, isGap);

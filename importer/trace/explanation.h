@@ -31,14 +31,14 @@ struct TraceJump {
 
 /// Remaining solid patches, wider than a line in every direction.
 struct Patches {
-  double share = 0;  ///< area of their insides relative to the curves' area
-  Point at_px;       ///< inside one of them, view pixels
+  double share = 0;  ///< area inside the outlines, relative to the area of the curves
+  Point at_px;       ///< a point inside one of the outlines, view pixels
 };
 
 /// An unexplained line, of any colour and however pale, above or below the only traced curve.
 struct LineBeside {
   double share = 0;  ///< of the curve's travel, by columns with pixels
-  Point at_px;       ///< on it, view pixels
+  Point at_px;       ///< a point on the line, view pixels
 };
 
 /// Marks of a plot that a result does not explain, and places where the result has no support.

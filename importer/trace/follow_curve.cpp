@@ -230,7 +230,7 @@ class CurveSearch {
   std::array<std::vector<float>, kStages> value_;
   std::vector<float> covered_, cost_, gain_, rise_;  ///< of the column's rows
   std::vector<std::size_t> gaining_;                 ///< rows of the column
-  std::vector<ColumnStep> steps_;                    ///< column by column, in it stage by stage
+  std::vector<ColumnStep> steps_;                    ///< steps by column, and within a column by stage
   float bestGain_ = 0;
   int endX_ = 0, endStage_ = body;
   std::size_t endRow_ = 0;

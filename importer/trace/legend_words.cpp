@@ -22,7 +22,7 @@ struct ColourSeen {
   bool runsOver = false;              ///< touches its upper or lower edge
   int bulgeLeft = 0, bulgeRight = 0;  ///< columns where it lies above and below the band; 0 and 0 without any
   int pixels = 0, left = 0, right = 0, top = 0,
-      bottom = 0;  ///< how many, and where they lie; tints count fully
+      bottom = 0;  ///< number of pixels and their extent; tints count fully
 
   void add(int x, int y) {
     left = pixels > 0 ? std::min(left, x) : x, right = pixels > 0 ? std::max(right, x) : x;
@@ -36,13 +36,13 @@ struct ColourSeen {
   }
   /// Returns true for a line with a curve's marker in its middle.
   bool isMarkedLine() const {
-    constexpr double end = 0.2;  // of the line's length, on both sides of its marker
+    constexpr double end = 0.2;  // share of the line's length, on both sides of its marker
     const int length = right - left + 1;
     return !runsOver && bulgeLeft - left > end * length && right - bulgeRight > end * length;
   }
   /// Returns true for a square, bar or disc, filled or outlined around another tint.
   bool isSwatch() const {
-    constexpr double filled = 0.75, outlined = 0.8;  // of its box; of the box' edges
+    constexpr double filled = 0.75, outlined = 0.8;  // share of the bounding box; share of its outline
     const int width = right - left + 1, height = bottom - top + 1;
     return !runsOver && (pixels >= filled * width * height || pixels >= outlined * 2 * (width + height));
   }
@@ -138,8 +138,8 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Palet
 
 using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
 
-/// Of several texts beside a colour, those in line with another colour's text, if any: an edge of a letter
-/// elsewhere on the page may have the colour by chance.
+/// Returns the texts beside a colour. Of several, only those in line with another colour's text, if any: an
+/// edge of a letter elsewhere on the page may have the colour by chance.
 std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
   if (all[of].size() < 2) return all[of];
   std::vector<SeenText> inLine;
@@ -223,7 +223,7 @@ void labelByOtherLines(std::vector<CurveTrace>& traces, const LegendTexts& besid
 /// The trace in whose colour alone a text is written.
 std::optional<std::size_t> traceOfLetters(const Box& word, const std::vector<PaletteColour>& colours,
                                           const Raster& raster, Color3 paper) {
-  // of a text's pixels; of the colour's strength, at its darkest
+  // share of a text's pixels; share of the colour's strength, at its darkest
   constexpr double nearlyAll = 0.8, full = 0.5;
   std::vector<double> ownSizes(colours.size(), 0);
   std::vector<float> darkest(colours.size(), 0);
@@ -350,7 +350,7 @@ void labelWithoutSamples(std::vector<CurveTrace>& traces, const AxesFound& axes,
 
 /// Share of a key's columns with its colour, from the first to the last; 0 without a key beside the word.
 double drawnShareBeside(const Box& word, const PaletteColour& colour, const Raster& raster, Color3 paper) {
-  constexpr double least = 0.8;    // of the word's height, in dark pixels
+  constexpr double least = 0.8;    // share of the word's height, in dark pixels
   constexpr float strong = 0.35F;  // of the colour
   double share = 0;
   for (const int direction : {-1, 1}) {

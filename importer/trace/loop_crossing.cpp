@@ -69,7 +69,7 @@ Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool
 }
 
 constexpr std::size_t kFewestArmPoints = 4;  // points of an arm
-constexpr double kStretched = 0.6;           // of its length, between the ends of an arm
+constexpr double kStretched = 0.6;           // share of its length, between the ends of an arm
 
 std::optional<Arm> armBefore(const std::vector<Point>& line, std::size_t at, double arm_px) {
   std::size_t from = at;

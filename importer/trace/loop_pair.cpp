@@ -169,8 +169,8 @@ double leftness(const std::vector<Point>& a, std::size_t a0, std::size_t a1, con
   return twiceAreaOf(ring);
 }
 
-/// Where one stroke ends on the other, the shorter one gets the rest of the longer one. Not on the force
-/// axis, where each stroke starts at its own force.
+/// Gives the shorter stroke the rest of the longer one if it ends on it. Not on the force axis, where each
+/// stroke starts at its own force.
 void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, double within,
               double axisColumn) {
   const Point end = shorter.back();
@@ -225,7 +225,7 @@ void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double 
 /// Lengths of dashes that continue from `end` along the unit vector `ahead`; crossing lines of the plot hide
 /// both dashes and gaps. The first dash shows the direction better than a short tail.
 std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, double strokeWidth) {
-  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // of the way, on either side
+  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // share of the way, on either side
   constexpr int kLeastGap = 2;
   std::vector<double> dashes;
   std::vector<Point> dash;
@@ -288,12 +288,14 @@ bool cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeW
   return true;
 }
 
-struct Contact {
+/// Indices of two points at which two lines touch.
+struct TouchingPoints {
   std::size_t a, b;
 };
 
-std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<Point>& b, double within) {
-  std::vector<Contact> contacts;
+std::vector<TouchingPoints> touchingPoints(const std::vector<Point>& a, const std::vector<Point>& b,
+                                           double within) {
+  std::vector<TouchingPoints> touches;
   std::size_t from = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     double best = within * within;
@@ -306,25 +308,26 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
       }
     }
     if (at == b.size()) continue;
-    contacts.push_back({i, at});
+    touches.push_back({i, at});
     from = at;
   }
-  return contacts;
+  return touches;
 }
 
-constexpr double kMuch = 0.2;  // of the frame's width: remaining pixels that may be a curve or a bottom-out
+// share of the frame's width: remaining pixels that may be a curve or a bottom-out
+constexpr double kMuch = 0.2;
 /// Of the frame's height below the strokes' tops: bottom-outs of other switches have at least 0.23, leaders
 /// at most 0.15.
 constexpr double kBottomOutBelow = 0.2;
-// of the frame's height: the last part of a bottom-out, and how much lower than the strokes it may end
+// share of the frame's height: the last part of a bottom-out, and how much lower than the strokes it may end
 constexpr double kBottomOutTop = 0.1;
 constexpr double kBottomOutRise = 1.8;  // times its width over that part; leaders lean more, 1.5
-constexpr double kJump = 0.05;          // of the frame's height; holes of words are narrower
-// of the width: a lock from the start; remaining pixels beside both
+constexpr double kJump = 0.05;          // share of the frame's height; holes of words are narrower
+// share of the width: a lock from the start; remaining pixels beside both
 constexpr double kLocked = 0.15, kLeftBeside = 0.1;
-constexpr double kEquallyLow = 0.06;  // of the height: equally low, meeting
+constexpr double kEquallyLow = 0.06;  // share of the height: equally low, meeting
 constexpr float kOffCurve_px = 1.5F;  // from the nearest curve pixel
-constexpr double kPiece = 0.04;       // of the width: a piece of a curve between two crossings; less is text
+constexpr double kPiece = 0.04;  // share of the width: a piece of a curve between two crossings; less is text
 
 /// A joint search for both strokes at one price of gaps.
 class PairSearch {
@@ -551,13 +554,13 @@ class PairSearch {
 std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vector<Point>& a,
                                                                  const std::vector<Point>& b,
                                                                  double contact_px) {
-  std::vector<Contact> contacts = contactsOf(a, b, contact_px);
-  contacts.push_back({a.size() - 1, b.size() - 1});
+  std::vector<TouchingPoints> touches = touchingPoints(a, b, contact_px);
+  touches.push_back({a.size() - 1, b.size() - 1});
   std::vector<Point> upper, lower;
   std::size_t a0 = 0, b0 = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact c = contacts[k];
-    const std::size_t last = k + 1 == contacts.size() ? 1 : 0;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    const TouchingPoints c = touches[k];
+    const std::size_t last = k + 1 == touches.size() ? 1 : 0;
     const bool aLeft = leftness(a, a0, c.a, b, b0, c.b) >= 0;
     std::vector<Point>& forA = aLeft ? upper : lower;
     std::vector<Point>& forB = aLeft ? lower : upper;

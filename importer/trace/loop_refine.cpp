@@ -170,7 +170,7 @@ Fit fitDouble(const Profile& p, double halfWidth, double radius, double otherGue
   return best;
 }
 
-/// Where the other stroke crosses this one's normal, if it runs close by.
+/// Offset at which the other stroke crosses this one's normal, if it runs close by.
 std::optional<double> offsetOfOther(Point p, Point normal, const std::vector<Point>& other,
                                     const std::vector<Point>& otherNormals, double reach, std::size_t& hint) {
   if (other.empty()) return std::nullopt;
@@ -225,8 +225,8 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
     const double good =
         std::clamp(1 - fit.misfit / 0.08, 0.0, 1.0) * std::clamp((fit.evidence - 0.15) / 0.35, 0.0, 1.0);
     trust[i] = atLimit ? 0.1 * good : good;
-    // Where nothing can be measured the path is the best guess; otherwise the ends would drift along their
-    // slope.
+    // Weight of the path, which is the best guess if nothing can be measured; without it the ends would
+    // drift along their slope.
     constexpr double kPath = 0.02;
     offset[i] *= trust[i] / (trust[i] + kPath);
     weight[i] = trust[i] + kPath;

@@ -417,7 +417,7 @@ std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob
 /// Weakens marker lines from an axis to the curve: exactly straight, isolated, starting at the frame's left
 /// or lower edge. They can still be followed (a curve may begin flat), but lose against a curve beside them.
 void weakenGuides(Plane& curveCoverage, const Box& frame, double strokeWidth) {
-  constexpr float kWeak = 0.62F;  // of the curves' coverage; a curve beside a marker line is worth more
+  constexpr float kWeak = 0.62F;  // share of the curves' coverage; a curve beside a marker line is worth more
   const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
   const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
     const auto at = [&](int l, int i) {
@@ -459,14 +459,15 @@ void weakenGuides(Plane& curveCoverage, const Box& frame, double strokeWidth) {
 /// Returns true for an isolated arrow: a straight shaft as thin as a line, and a head that widens at one end.
 bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& frame) {
   constexpr double shortest = 4, longest = 0.2;  // stroke widths; of the frame's width
-  constexpr double headShare = 0.35;             // of its length, at most
+  constexpr double headShare = 0.35;             // share of its length, at most
   constexpr double headTimes = 1.8;              // of the shaft's thickness, at least
   const Scatter scatter(pixels);
   const Point along = scatter.along(), middle = scatter.middle();
   const auto [first, last] = std::ranges::minmax(pixels, {}, [&](Point p) { return dot(p - middle, along); });
   const double from = dot(first - middle, along), length = dot(last - middle, along) - from;
   if (length < shortest * strokeWidth || length > longest * frame.width()) return false;
-  std::vector<double> across(static_cast<std::size_t>(length) + 1, 0);  // by pixels of its length
+  // thickness at each pixel along the arrow
+  std::vector<double> across(static_cast<std::size_t>(length) + 1, 0);
   for (const Point& p : pixels) {
     double& most = across[static_cast<std::size_t>(std::max(0.0, dot(p - middle, along) - from))];
     most = std::max(most, 2 * std::abs(cross(along, p - middle)) + 1);
@@ -483,7 +484,8 @@ bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& fr
          std::max(left, right) >= headTimes * shaft;
 }
 
-/// Removes arrows that touch nothing; what touches the plot's lines may be a piece of a curve that they cut.
+/// Removes arrows that touch nothing. An arrow that touches the plot's lines is kept, because it may be a
+/// piece of a curve that they cut.
 void fadeArrows(Plane& curveCoverage, Plane& explained, float level, double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveCoverage, 0.3F);
   cv::Mat lines = matOf(explained) > 0.3F * level;

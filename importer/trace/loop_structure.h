@@ -14,7 +14,7 @@ struct StraightLine {
   bool vertical = false;
   int position = 0;            ///< column or row of its middle, plane px
   int reach = 0;               ///< the profile covers position-reach .. position+reach
-  std::vector<float> profile;  ///< its own coverage across, without what crosses it
+  std::vector<float> profile;  ///< own coverage across the line, without what crosses it
   float level = 0;             ///< coverage in its middle
 
   float at(int offset) const {
@@ -31,7 +31,7 @@ std::vector<StraightLine> findStraightLines(const WorkPlane& plane,
 /// The coverage with its straight lines subtracted.
 struct Structure {
   Plane explained;          ///< coverage explained by the straight lines where they are drawn
-  Plane upright;            ///< the part of it by vertical lines inside the frame
+  Plane upright;            ///< the part of it that vertical lines inside the frame explain
   Plane remainingCoverage;  ///< 0..1: the rest, in units of the curves' own darkness
   Plane gapDistance;        ///< px to the nearest remaining pixel that is no text
   float curveLevel = 1;     ///< coverage of the curves' ridge

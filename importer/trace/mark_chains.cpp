@@ -12,7 +12,7 @@ namespace detent::importer::trace {
 namespace {
 
 constexpr double kLeast_px = 4, kMostShare = 0.05;  // a marker's size; of the picture's smaller side
-constexpr double kAlikeMarks = 0.4;                 // of the first one's size
+constexpr double kAlikeMarks = 0.4;                 // share of the first one's size
 constexpr double kReach = 5;                        // sizes, from one to the next
 constexpr double kFlattest = 1;                     // sideways for each step upwards
 constexpr std::size_t kFewestMarks = 4;

@@ -29,13 +29,13 @@ constexpr double stopsWhereLineGoesOn = 0.3;  // of an end at which a join would
 constexpr double widthDoubling = 0.05;        // of a join of lines of which one is twice as wide
 constexpr double surelyGoesOn = 0.24;         // cost of a join below which the line continues
 
-constexpr double longestNetworkGap = 0.03;  // of the diagonal
-constexpr double longestBreak = 0.08;       // of the diagonal, between two lines
+constexpr double longestNetworkGap = 0.03;  // share of the diagonal
+constexpr double longestBreak = 0.08;       // share of the diagonal, between two lines
 constexpr double timesTheBreak = 2;         // each line is at least this many times as long
-constexpr double nearlyTouching = 0.004;    // of the diagonal; closer ends have no direction of the gap
-constexpr double directionStretch = 0.004;  // of the diagonal
+constexpr double nearlyTouching = 0.004;    // share of the diagonal; closer ends have no direction of the gap
+constexpr double directionStretch = 0.004;  // share of the diagonal
 constexpr double facing_deg = 25;           // between the directions of ends that face each other
-constexpr double mostOwn = 0.15;            // of the width, not shared with earlier ones
+constexpr double mostOwn = 0.15;            // share of the width, not shared with earlier ones
 
 double angleBetween_deg(Point a, Point b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
@@ -268,8 +268,8 @@ double PieceNetwork::pathCost(std::size_t piece, bool forward) const {
 }
 
 bool PieceNetwork::visiblyGoesOn(std::size_t from, bool fromEnd, const Link& link) const {
-  constexpr double levelSpan = 0.02;  // of the plot's width
-  constexpr double touching = 0.01;   // of the diagonal
+  constexpr double levelSpan = 0.02;  // share of the plot's width
+  constexpr double touching = 0.01;   // share of the diagonal
   constexpr double sameWidth =
       0.7;  // in powers of two; a thin vertical line on a thick curve is a continuation mark
   const LinePiece &here = pieces_[from], &next = pieces_[link.piece];
@@ -413,7 +413,7 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
 
 std::vector<UnusedLine> PieceNetwork::unusedLines() const {
   // Some documents draw a curve twice; a copy is not another curve.
-  constexpr double straightChord = 0.9995;  // of the length; leaders are straight
+  constexpr double straightChord = 0.9995;  // share of the length; leaders are straight
   EndGrid taken(std::max(0.006 * plane_.diagonal(), 1e-6));
   std::vector<Point> positions;
   const double step = 0.004 * plane_.diagonal();
@@ -445,8 +445,8 @@ std::vector<UnusedLine> PieceNetwork::unusedLines() const {
 }
 
 bool PieceNetwork::isRestOf(const FoundStroke& stroke, const UnusedLine& line) const {
-  constexpr double leastRest = 0.04;         // of the plot's width
-  constexpr double leastFresh = 0.5;         // of its length; less is a copy
+  constexpr double leastRest = 0.04;         // share of the plot's width
+  constexpr double leastFresh = 0.5;         // share of its length; less is a copy
   constexpr std::size_t measuredPoints = 8;  // a leader has two or three
   if (line.fresh * plane_.diagonal() < leastFresh * lengthOf(line.points)) return false;
   const double from = plane_.across(line.points.front()), to = plane_.across(line.points.back());

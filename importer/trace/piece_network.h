@@ -33,7 +33,7 @@ struct UnusedLine {
 /// stroke is the cheapest path: joins cost by their angle, gaps by their length, uncovered travel most.
 class PieceNetwork {
  public:
-  static constexpr double usualCover = 0.35;  ///< of the plot's width
+  static constexpr double usualCover = 0.35;  ///< share of the plot's width
 
   PieceNetwork(std::vector<LinePiece> pieces, const PlotPlane& plane);
 
@@ -51,7 +51,7 @@ class PieceNetwork {
  private:
   struct Link {
     std::size_t piece = 0;
-    bool atEnd = false;  ///< which end of that piece is met
+    bool atEnd = false;  ///< true if the piece is met at its last point
     double gap = 0;      ///< share of the diagonal
   };
   struct Step {

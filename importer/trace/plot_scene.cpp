@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxSamplesPerLine = 800;
 constexpr float kLineContrast = 5;     // of a gridline against paper, colour levels
 constexpr float kAsPaper = 2;          // colour levels; smaller differences are paper
-constexpr double kLineSupport = 0.3;   // of a gridline's length must have its colour
+constexpr double kLineSupport = 0.3;   // share of a gridline's length must have its colour
 constexpr double kKnownLine_px = 2.5;  // distance within which a row counts as a known line
 constexpr float kUnevenPaper = 8;      // difference of a tile's paper that makes the paper uneven
 

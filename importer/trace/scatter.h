@@ -28,7 +28,7 @@ class Scatter {
     const double angle = 0.5 * std::atan2(2 * xy_, xx_ - yy_);
     return {std::cos(angle), std::sin(angle)};
   }
-  /// Rms distance from that line.
+  /// Rms distance of the points from the line in the direction along() through their mean.
   double across() const {
     const double half = 0.5 * (xx_ + yy_), root = std::hypot(0.5 * (xx_ - yy_), xy_);
     return std::sqrt(std::max(0.0, half - root) / count_);

@@ -107,7 +107,7 @@ class TintedAreas {
   /// 255 in even areas that are wider than any line, longer than any marker, and have lines on or beside
   /// them.
   cv::Mat largeAreas() {
-    constexpr double leastWidth = 0.02, leastLength = 0.08;  // of the smaller side
+    constexpr double leastWidth = 0.02, leastLength = 0.08;  // share of the smaller side
     constexpr int leastWidth_px = 7;
     const int side_px = std::min(rgb_.rows, rgb_.cols);
     const int width_px = std::max(leastWidth_px, static_cast<int>(leastWidth * side_px));

@@ -68,8 +68,8 @@ GivenColours addGivenColours(std::vector<PaletteColour>& palette, const TraceHin
   return given;
 }
 
-/// Cuts a beginning that falls along the force axis: a stroke starts at rest and rises; what falls there is
-/// the axis, which rotation smears into the curve's colour.
+/// Cuts a beginning that falls along the force axis. A stroke starts at rest and rises, so the falling part
+/// is the axis, which rotation smears into the curve's colour.
 void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   constexpr double within_px = 4, leastShare = 0.02;  // of the frame's height
   const Point topLeft = frame.corners[0], bottomLeft = frame.corners[3];
@@ -121,9 +121,15 @@ CurveTrace traceOf(const CurveColour& curve, const std::vector<int>& curveColour
                    plot.entry(curve.entryIndex), plot, options);
 }
 
+/// The palette's other colours, when pixels are attributed to a colour.
+enum class OtherColours {
+  compete,  ///< a pixel belongs to the colour that fits it best
+  ignored   ///< for the colour of grid and text, of which other colours are no blends
+};
+
 /// Coverage of the area by one colour, for curves that share it with each other and perhaps with grid and
 /// text.
-Plane coverageBy(const PaletteColour& colour, bool neutral, const PlotColours& plot) {
+Plane coverageBy(const PaletteColour& colour, OtherColours others, const PlotColours& plot) {
   const PlotArea& area = plot.area();
   Plane coverage(area.raster.width_px, area.raster.height_px);
   const float floor = std::max(4.0F, 3 * plot.scene.noise());
@@ -134,8 +140,8 @@ Plane coverageBy(const PaletteColour& colour, bool neutral, const PlotColours& p
       const float length = norm(difference);
       if (length < floor) continue;
       float own = dot(difference, colour.direction) / colour.strength;
-      if (!neutral) {
-        // A pixel belongs to the colour that fits it best; only blends keep a share of this one.
+      if (others == OtherColours::compete) {
+        // Pixels that fit another colour better keep only a share of this one, as blends.
         float bestOther = 0;
         for (const PaletteColour& other : plot.palette) {
           if (static_cast<double>(dot(other.direction, colour.direction)) > kSameColourAngle) continue;
@@ -426,7 +432,7 @@ bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
 /// Returns true if a stroke continues to the right of all coloured traces: colours are lost on steep
 /// stretches, not along a horizontal line, which is the plot's own.
 bool outrunsColours(const CurveTrace& stroke, const std::vector<CurveTrace>& traces, double frame_px) {
-  constexpr double most = 0.04;  // of the frame's width
+  constexpr double most = 0.04;  // share of the frame's width
   const auto rightOf = [](const CurveTrace& trace) {
     return std::ranges::max(trace.points_px, {}, &Point::x).x;
   };
@@ -449,8 +455,8 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
   if (traces.size() < 2 || width_px > mediumFrame_px) return {};
   const bool small = width_px <= smallFrame_px && anyLost(traces);
   if (!small && !anyStopsLow(traces)) return {};
-  auto loop =
-      traceLoop(plot.area(), coverageBy(darkness(plot), true, plot), traces.front().color, options, progress);
+  auto loop = traceLoop(plot.area(), coverageBy(darkness(plot), OtherColours::ignored, plot),
+                        traces.front().color, options, progress);
   if (!loop || loop->size() != 2 || loop->front().confidence < kCredibleLoop) return {};
   std::vector<CurveTrace> strokes = std::move(loop).value();
   for (const CurveTrace& stroke : strokes)
@@ -495,20 +501,21 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
   if (curves.empty() || oneColourBothStrokes) {
     // A press alone keeps its words: a legend with both keys in its colour names a release that was not
     // found.
-    const auto loopIn = [&](const PaletteColour& colour, bool neutral) {
+    const auto loopIn = [&](const PaletteColour& colour, OtherColours others) {
       auto loop =
-          traceLoop(scene.area(), coverageBy(colour, neutral, plot), plot.colorOf(colour), options, progress);
+          traceLoop(scene.area(), coverageBy(colour, others, plot), plot.colorOf(colour), options, progress);
       if (loop && loop->size() == 1) labelTraces(*loop, axes, view, scene);
       return loop;
     };
-    if (curves.empty()) return loopIn(darkness(plot), true);
-    Result<std::vector<CurveTrace>> loop = loopIn(plot.entry(curves.front().entryIndex), false);
+    if (curves.empty()) return loopIn(darkness(plot), OtherColours::ignored);
+    Result<std::vector<CurveTrace>> loop =
+        loopIn(plot.entry(curves.front().entryIndex), OtherColours::compete);
     const double believed = loop.ok() ? loop->front().confidence : 0;
     if (given.any() || progress.isCancelled()) return loop;
     if (believed >= kCredibleLoop)
       return withNeutralLoop(std::move(loop).value(), curves.front(), plot, axes, view, options, progress);
     // Coloured leaders and dots can resemble a colour of curves; then the curves have the neutral colour.
-    Result<std::vector<CurveTrace>> neutral = loopIn(darkness(plot), true);
+    Result<std::vector<CurveTrace>> neutral = loopIn(darkness(plot), OtherColours::ignored);
     return neutral.ok() && neutral->front().confidence > believed ? neutral : loop;
   }
 

@@ -67,7 +67,7 @@ double meanHeightAbove(const std::vector<Point>& a, const std::vector<Point>& b,
 /// Returns true if the lines cross, or the lower one extends farther: not the strokes of one switch, or not
 /// all of them. The pixels decide then.
 bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& plane) {
-  constexpr double farther = 0.035;  // of the upper one's travel, as in pictures
+  constexpr double farther = 0.035;  // share of the upper one's travel, as in pictures
   constexpr double contact_px = 0.75;
   const bool firstAbove = meanHeightAbove(a.points, b.points, plane) >= 0;
   const FoundStroke &press = firstAbove ? a : b, &release = firstAbove ? b : a;
@@ -80,9 +80,9 @@ bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& pl
 /// Returns true if a line that covers less of the plot than strokes do ends where the press does, like the
 /// release of a latching key. Leaders are straight, or have two or three points.
 bool pathLeadsBackFrom(const FoundStroke& press, const FoundStroke& other, const PlotPlane& plane) {
-  constexpr double together = 0.02;  // of the plot's width
+  constexpr double together = 0.02;  // share of the plot's width
   constexpr std::size_t measuredPoints = 8;
-  constexpr double straightChord = 0.9995;  // of the length
+  constexpr double straightChord = 0.9995;  // share of the length
   return std::abs(press.to - other.to) <= together && other.points.size() >= measuredPoints &&
          distance(other.points.front(), other.points.back()) <= straightChord * lengthOf(other.points) &&
          !areUnpaired(press, other, plane);
@@ -90,7 +90,7 @@ bool pathLeadsBackFrom(const FoundStroke& press, const FoundStroke& other, const
 
 struct StrokesOfColour {
   std::vector<StyledStroke> strokes;
-  std::optional<FoundStroke> shortOne;  ///< where there is no stroke
+  std::optional<FoundStroke> shortOne;  ///< none if there is no stroke
   bool inDoubt = false;                 ///< parts of strokes, or strokes of two switches
 };
 
@@ -103,7 +103,7 @@ StrokesOfColour strokesOf(const LineStyle& style, std::vector<LinePiece> pieces,
     if (!line) break;
     lines.push_back(std::move(*line));
   }
-  constexpr double halfAnotherStroke = 0.25;  // of the plot's diagonal
+  constexpr double halfAnotherStroke = 0.25;  // share of the plot's diagonal
   constexpr double leastShared = 0.3;         // of the travel that either covers
   bool third = false;                         // perhaps the best two do not belong together
   for (const UnusedLine& unused : network.unusedLines()) {
@@ -115,7 +115,7 @@ StrokesOfColour strokesOf(const LineStyle& style, std::vector<LinePiece> pieces,
   if (lines.size() == 2)
     found.inDoubt = found.inDoubt || sharedPathTravel(lines[0], lines[1]) < leastShared ||
                     areUnpaired(lines[0], lines[1], plane);
-  constexpr double shortCover = 0.12;  // of the plot's width, as in pictures
+  constexpr double shortCover = 0.12;  // share of the plot's width, as in pictures
   if (lines.empty()) found.shortOne = network.nextStroke(shortCover);
   for (FoundStroke& line : lines) {
     const double confidence = std::clamp(1 - 0.3 * line.joinCost, 0.1, 1.0) * (third ? 0.5 : 1);

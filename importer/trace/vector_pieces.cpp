@@ -16,11 +16,11 @@
 namespace detent::importer {
 namespace {
 
-constexpr double overshoot = 0.04;           // of the plot's size by which a curve may leave the frame
-constexpr double turnRound = 0.05;           // of the plot's width; shorter returns are ignored
-constexpr double letterSize = 0.025;         // of the plot's diagonal
-constexpr double outlinedLetterSize = 0.06;  // of the plot's diagonal
-constexpr double shortestFoldArm = 0.01;     // of the plot's diagonal
+constexpr double overshoot = 0.04;           // share of the plot's size by which a curve may leave the frame
+constexpr double turnRound = 0.05;           // share of the plot's width; shorter returns are ignored
+constexpr double letterSize = 0.025;         // share of the plot's diagonal
+constexpr double outlinedLetterSize = 0.06;  // share of the plot's diagonal
+constexpr double shortestFoldArm = 0.01;     // share of the plot's diagonal
 
 /// The parts of the line outside the box.
 std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {
@@ -124,7 +124,7 @@ bool isTangled(const Polyline& line, const Polyline& outline, double short_px) {
 /// and on the plot's left edge. nullopt if a shape is no such area, or as small as a marker.
 std::optional<Polyline> upperSide(Polyline ring, const Box& plot) {
   constexpr double level_px = 0.5, nearlyAll = 0.98;  // of the width
-  constexpr double least = 0.12;                      // of the plot's width
+  constexpr double least = 0.12;                      // share of the plot's width
   if (ring.empty()) return {};
   if (distance(ring.front(), ring.back()) > 1e-9) ring.push_back(ring.front());
   const Box box = boundsOf(ring);

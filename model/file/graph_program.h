@@ -23,7 +23,7 @@ struct ConvertOptions {
   std::string state;  ///< state of a self-locking button for a CSV or a project; empty: the only one
   std::optional<double> speed_mm_per_s;  ///< speed of a button with several graphs; > 0
   std::optional<double> travelStep_mm;   ///< travel step of a CSV instead of samples
-  std::vector<double> travels_mm;        ///< the CSV has these travels alone, if any
+  std::vector<double> travels_mm;        ///< travels of the CSV rows, instead of even steps; may be empty
   std::optional<double> forceStep_N;  ///< force step of a CSV of displacement over force instead of samples;
                                       ///< > 0
   SvgPlotStyle svg;                   ///< width and height > 200 px

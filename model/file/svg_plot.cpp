@@ -19,7 +19,7 @@ namespace {
 constexpr double marginLeft_px = 74, marginRight_px = 24, marginTop_px = 44, marginBottom_px = 60;
 constexpr double designedFor_px = 12;  // font size for which the other lengths here are designed
 constexpr double glyphWidth_px = 6.6;  // width of a sans-serif digit of that size, generous
-constexpr double secondScale_px = 58;  // space for it at the right
+constexpr double secondScale_px = 58;  // space for the second scale at the right
 constexpr double dimensionRow_px = 24, leaderGap_px = 7;
 constexpr double leaderUnderName = 2000;  // cost of a leader under a name, in places of curve under the words
 

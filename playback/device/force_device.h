@@ -29,8 +29,9 @@ struct ForceLinkCounts {
 /// Readiness of a device to give forces.
 enum class ForceDeviceState : std::uint8_t {
   ready,
-  homing,  ///< its position is unknown: the person has to move the handle all the way out and in
-  /// it removed the force itself and reports why (`ForceLinkCounts::fault`); `rearm` clears the fault
+  homing,  ///< the position is unknown: the person has to move the handle all the way out and in
+  /// the device removed the force itself and reports why (`ForceLinkCounts::fault`); `rearm` clears the
+  /// fault
   fault,
   lost  ///< unplugged or reset; each exchange tries to connect again
 };

@@ -451,7 +451,7 @@ OdriveForceDevice::Answer OdriveForceDevice::take(std::string_view line, double&
     noteState(*number);
   } else {
     ++counts_.malformed;
-    if (pending_ && !unsure_) askMarker();  // it may have been the position
+    if (pending_ && !unsure_) askMarker();  // the malformed answer may have been the position
   }
   return Answer::other;
 }

@@ -28,7 +28,8 @@ constexpr double tableSilence =
 // Without answers a table continues for this many questions, or round trips of a slow link.
 constexpr std::uint32_t unansweredQuestions = 3;
 constexpr double unheard_s = 0.010, unheardTrips = 3, longestUnheardEver_s = 0.05;
-constexpr std::int32_t questionsForALine = 8;  // after these the line is sent again, answered or not
+// after these questions the line is sent again, answered or not
+constexpr std::int32_t questionsForALine = 8;
 constexpr int stoppedState = 1, unlimitedState = 2, deadCountState = 3;  // of an answer
 
 /// Fields between commas. A line with more fields than fit is not of this protocol.

@@ -85,7 +85,7 @@ class SerialForceDevice : public ForceDevice {
   std::uint32_t withdrawnSince_ = 0;   ///< the first question after that command
   double silence_s_ = 0;               ///< time without messages after which the device ends a table
   bool ownLaw_ = false;                ///< the device runs the table, or is receiving it
-  std::vector<std::string> table_;     ///< its lines, without checksum
+  std::vector<std::string> table_;     ///< lines of the table, without checksum
   std::size_t acknowledgedLines_ = 0;  ///< number of lines that the device has acknowledged
   std::uint32_t lineSince_ = 0;        ///< the first question with which the next line may be sent
   std::uint32_t lineSent_ = 0;         ///< the last question with which a line was sent

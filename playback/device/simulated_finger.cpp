@@ -13,7 +13,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double above_mm = -0.5;  // position where a finger waits before the touch
-// Of a hold: rate at which its error is corrected, and when that ends.
+// Rate at which a finger that holds a position corrects its error, and the limits of the time for that.
 constexpr double correctionRate_per_s = 25, shortestCorrection_s = 0.2, longestCorrection_s = 0.8;
 constexpr double arrivedWithin_mm = 0.005, arrivedBelow_mm_per_s = 0.5;
 // Of the muscles while they aim, relative to rest, because both muscles of a pair pull. Damping grows with

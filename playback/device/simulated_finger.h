@@ -31,7 +31,7 @@ struct FingerHold {
 };
 /// Presses repeatedly: down until the bottom is felt, back after the reaction time, then a pause.
 struct FingerPresses {
-  double travel_mm = 4;  ///< where the bottom is
+  double travel_mm = 4;  ///< displacement of the bottom
   double force_N = 1;    ///< strongest force of the button; the finger aims beyond the travel to overcome it
   double press_s = 0.12, release_s = 0.1, pause_s = 0.25;
 };

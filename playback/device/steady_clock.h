@@ -8,7 +8,7 @@ namespace detent::playback {
 /// Seconds; never steps back; cheap enough for the audio callback (no system call on common machines).
 double now_s();
 
-/// Sleeps until that time has come.
+/// Sleeps until the clock reaches `time_s`.
 void sleepUntil(double time_s);
 
 /// Requests that the system wakes the calling thread exactly on time instead of up to 50 µs later, which

@@ -25,7 +25,7 @@ struct IdentifySettings {
 enum class DampingDoubt : std::uint8_t {
   none,
   constantSpeed,  ///< speed hardly varies: damping and friction cannot be separated
-  notCertain      ///< its standard error is too large
+  notCertain      ///< the standard error is too large
 };
 
 struct Estimate {

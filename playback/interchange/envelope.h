@@ -33,7 +33,7 @@ struct EnvelopeStep {
   double amplitude = 0;           ///< of the sine with the energy of this step, at most 1
   double frequency_Hz = 0;        ///< of the strongest sound in it
   EventKind strongest = EventKind::grain;
-  bool onset = false;  ///< it begins with a jump or a bottom-out
+  bool onset = false;  ///< the step begins with a jump or a bottom-out
 };
 
 /// Steps of at least `step_s`, except that each jump and bottom-out begins a new one (`onsets`: their least
@@ -50,7 +50,7 @@ struct TimedLevels {
     std::int64_t duration_ms = 1;
     int level = 0;  ///< 0..full
   };
-  std::int64_t zero = 0;  ///< sample at which they begin
+  std::int64_t zero = 0;  ///< sample at which the steps begin
   int full = 255;
   std::vector<Level> levels;         ///< the last one is 0; empty if nothing is felt
   std::vector<std::int64_t> onsets;  ///< of jumps and bottom-outs, as played

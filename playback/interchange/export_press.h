@@ -20,7 +20,7 @@ namespace detent::playback {
 
 enum class ExportFormat {
   package,  ///< thresholds, bursts, curve: everything, as JSON
-  cHeader,  ///< the same for firmware
+  cHeader,  ///< the data package as a C header for firmware
   ahap,     ///< Apple, a pair of files
   haptic,   ///< Lofelt and Meta
   android,  ///< Kotlin

@@ -19,7 +19,7 @@ namespace detent::playback {
 /// One burst of a press as the engine plays it.
 struct PlannedBurst {
   EventKind kind = EventKind::grain;  ///< grain, pressJump, releaseJump or bottomOut
-  std::int64_t frame = 0;             ///< sample at which it begins
+  std::int64_t frame = 0;             ///< sample at which the burst begins
   Burst burst;                        ///< amplitude > 0, before the filters
   double displacement_mm = 0;
   std::uint32_t grains = 0;  ///< grain positions merged into it; 0 for a jump or bottom-out

@@ -47,7 +47,7 @@ Reduction touchpadOf(const ExportSource& source);
 /// The waves as samples of the plan's length.
 std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPlan& plan);
 
-/// "Made by Detent 0.2.0 from button "B": human-like press of 120 ms" and the loss, for comments.
+/// "Made by Detent 0.3.0 from button "B": human-like press of 120 ms" and the loss, for comments.
 std::vector<std::string> headLines(const ExportSource& source, const ExportLoss& loss);
 
 /// A C block comment with these lines; no content can end it early.

@@ -20,7 +20,7 @@ enum class ReferenceFormat : std::uint8_t {
   ahap,    ///< Apple, version 1
   haptic,  ///< Lofelt and Meta, version 1
   hjif,    ///< ISO/IEC 23090-31
-  sound    ///< WAV, FLAC and what else libsndfile reads
+  sound    ///< WAV, FLAC and other files that libsndfile reads
 };
 
 inline constexpr auto referenceFormats = named<ReferenceFormat>({{"ahap", ReferenceFormat::ahap},

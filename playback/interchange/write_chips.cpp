@@ -309,7 +309,7 @@ constexpr double lowestThreshold_g = 110, highestThreshold_g = 190;
 struct Touchpad {
   std::optional<double> requested_g;
   double threshold_g = lowestThreshold_g;
-  double releaseRatio = 0.9;  // what systems assume where nothing is said
+  double releaseRatio = 0.9;  // default of players for files that state none
   bool releaseKnown = false;
   int pressIntensity = 0, releaseIntensity = 0;
 };
@@ -442,7 +442,7 @@ Reduction drv2605Of(const ExportSource& source) {
 
 Reduction pcmOf(const ExportSource& source, unsigned bits, double requested_Hz) {
   const PressPlan& plan = source.plan;
-  const double sampleRate_Hz = std::round(requested_Hz);  // what the file states
+  const double sampleRate_Hz = std::round(requested_Hz);  // rounded as in the file
   const int full = bits == 8 ? 127 : 32767;
   std::vector<int> samples;
   std::vector<float> heard;

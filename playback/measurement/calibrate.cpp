@@ -56,7 +56,7 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   // The scatter of few weights is known poorly, so Student's 68.3 % quantile replaces one standard deviation.
   const double error = std::sqrt(chi2 / static_cast<double>(n - m)) * studentQuantile(normalCdf(1), n - m);
   const Eigen::MatrixXd inverse =
-      qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // its rows give the covariance
+      qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // the squared norms of its rows give the variances
   c.coefficientCount = m;
   c.coefficients = {};
   double power = 1;

@@ -17,7 +17,7 @@ struct ResonanceErrors {
 };
 
 struct JointSections {
-  std::vector<Resonance> resonances;  ///< strongest first; gain above the level beside them
+  std::vector<Resonance> resonances;  ///< strongest first; gain above the level around them
   std::vector<ResonanceErrors>
       errors;         ///< one each, from the residuals; neighbouring residuals that agree count as one
   double rms_dB = 0;  ///< of the residuals

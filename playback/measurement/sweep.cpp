@@ -16,7 +16,7 @@ namespace {
 
 constexpr double fade_s = 0.02;
 constexpr double responseLength_s = 0.8;  // length of the impulse response that is kept: 1.25 Hz resolution
-constexpr double wholeShare = 0.5;        // of that length, before it fades out
+constexpr double wholeShare = 0.5;        // share of the impulse response before it fades out
 constexpr double beforePeak_s = 0.01;
 constexpr double stepsPerOctave = 24;
 constexpr double regularisation = 1e-6;  // of the sweep's strongest bin

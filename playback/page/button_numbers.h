@@ -17,8 +17,8 @@ namespace detent::playback {
 /// Names, damping and provenance are left out, because vibration does not need them.
 std::vector<double> numbersOf(const Button& button);
 
-/// The inverse, with every rule of Button checked. Failure unreadableInput: numbers that numbersOf did not
-/// write.
+/// The button that numbersOf() wrote, with every rule of Button checked. Failure unreadableInput: other
+/// numbers.
 Result<Button> buttonFrom(const std::vector<double>& numbers);
 
 }  // namespace detent::playback

@@ -32,7 +32,7 @@ struct PressOutcome {
   int closings = 0, rapidClosings = 0;
   double peak_N = 0;  ///< of the force between fingertip and cap
   double peak_s = 0;
-  double impulse_Ns = 0;  ///< of that force
+  double impulse_Ns = 0;  ///< time integral of the contact force
   double deepest_m = 0;
   double end_s = longestPress_s;
   bool ended = false;

@@ -14,7 +14,7 @@ constexpr int halvings = 10;  // of an interval of a factor of 2, to 0.1 %
 // changes fast.
 constexpr std::array shares = {0.5, 0.8, 0.95, 1.0, 1.01, 1.03, 1.07, 1.15,
                                1.3, 1.5, 1.8,  2.2, 2.8,  3.6,  4.8,  6.5};
-static_assert(shares.size() % 2 == 0);  // they are simulated in pairs
+static_assert(shares.size() % 2 == 0);  // shares are simulated in pairs
 
 ResponsePoint pointOf(const PressOutcome& o, double amplitude_N) {
   ResponsePoint p;

@@ -109,7 +109,7 @@ struct PlaybackSettings {
   ClearFeel clear;  ///< used only by Feel::clear
 
   // Following the finger.
-  SectionSettings sections;  ///< what counts as a tactile point (model/sections.h)
+  SectionSettings sections;  ///< decides which extrema are tactile points (model/sections.h)
   /// force by which the stroke turns back; 0: from the sensor's noise (docs/develop/decisions/0906); [0,
   /// 10]
   double hysteresis_N = 0;

@@ -509,7 +509,7 @@ class ForcePreparation {
       for (std::size_t i = 1; i < t.rowCount; ++i) {
         double apart_N = static_cast<double>(t.rows[i].press_N - t.rows[i].release_N);
         double rise = static_cast<double>(t.rows[i].press_N - t.rows[i - 1].press_N) / t.spacing_mm;
-        // Of two compared strokes one is that of the lowest speed, the other of any speed.
+        // One of the two compared strokes has the lowest speed, the other any speed.
         for (std::size_t k = 1; k < t.speedCount; ++k) {
           const ForceCurveRow& row = t.faster[k - 1][i];
           apart_N = std::max({apart_N, static_cast<double>(row.press_N - t.rows[i].release_N),

@@ -15,7 +15,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double highestFrequency_Hz = 2000;
-constexpr double lowestBottomOut_Hz = 1;  // it lasts at least half a wave
+constexpr double lowestBottomOut_Hz = 1;  // a bottom-out vibration lasts at least half a wave
 constexpr double sharpestResonance = 1e4;
 constexpr double largestCoefficient = 1e9;  // N; the linear quantity of a divider may be as small as 1e-3
 constexpr double largestNoise_N = 50, longestLatency_s = 10;
@@ -29,7 +29,7 @@ constexpr double smallestHysteresis_N = 0.005;
 constexpr double noiseInHysteresis = 4;
 constexpr double rearmInHysteresis = 2.5;
 
-constexpr double gentlest_N_per_mm = 0.02;  // gentler slopes have the level of this one
+constexpr double gentlest_N_per_mm = 0.02;  // gentler slopes have the level of a slope of this steepness
 
 constexpr double drownedBelow_dB = 6, silent_dB = -1000;
 constexpr double unfeltChange_dB = 0.5;  // a third of the just noticeable difference of a vibration

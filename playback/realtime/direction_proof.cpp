@@ -32,7 +32,7 @@ void DirectionProof::firstPush(double position_mm) {
   } else if (time_s_ < longestPush_s) {
     return;
   } else {
-    return begin(position_mm, -push_);  // it may be at a stop, so the other direction is tried
+    return begin(position_mm, -push_);  // the handle may be at a stop, so the other direction is tried
   }
   farthest_mm_ = position_mm;
   turns_ = 1;
@@ -50,7 +50,7 @@ void DirectionProof::turningPush(double position_mm) {
     time_s_ = 0;
     if (++turns_ == turnsThatProve) verdict_ = answer_ > 0 ? Verdict::agrees : Verdict::reversed;
   } else if (time_s_ >= longestPush_s) {
-    begin(position_mm, -push_);  // something else moves it, so this push is repeated
+    begin(position_mm, -push_);  // something else moves the handle, so this push is repeated
   }
 }
 

@@ -16,8 +16,8 @@ class DirectionProof {
   enum class Verdict : std::uint8_t {
     running,
     agrees,    ///< the handle followed all three pushes
-    reversed,  ///< it moved against all three pushes
-    unmoved    ///< it followed none for 3 s: blocked, held, or the encoder does not count
+    reversed,  ///< the handle moved against all three pushes
+    unmoved    ///< the handle followed no push for 3 s: blocked, held, or the encoder does not count
   };
 
   DirectionProof(const DirectionProofSettings& settings, double period_s)
@@ -41,7 +41,7 @@ class DirectionProof {
   std::uint32_t turns_ = 0;        ///< pushes that the handle has answered
   double push_ = 1;                ///< direction of the present push: 1 is inwards
   double moving_ = 0;              ///< direction in which the handle moves
-  double answer_ = 0;              ///< 1: it follows the push, -1: it moves against it
+  double answer_ = 0;              ///< 1: the handle follows the push, -1: it moves against it
   double from_mm_ = 0;             ///< position at which the first push began
   double farthest_mm_ = 0;         ///< farthest position in the direction of movement since the push changed
   double time_s_ = 0, all_s_ = 0;  ///< duration of this push, and of all

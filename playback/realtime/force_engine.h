@@ -58,7 +58,6 @@ struct ForceStep {
   /// energy stored at full force, plus work since, plus energy of state changes; below 0 the button gave
   /// more than it had stored
   double balance_mJ = 0;
-  ///< the button gave more than it held
   std::uint32_t state = 0;
   bool actuated = false;
 };
@@ -133,7 +132,7 @@ class ForceEngine {
   double heldForce_N_ = 0;       ///< of the last good reading, before the limits
   bool exchanged_ = false;       ///< the next step is the first of another button
   double exchange_N_ = 0;        ///< old force minus new one at the exchange
-  double exchangeLeft_ = 0;      ///< remaining share of that difference, 1..0
+  double exchangeLeft_ = 0;      ///< remaining share of the difference, 1..0
   double lowestBalance_mJ_ = 0;
 };
 

@@ -83,7 +83,7 @@ class ForceGuard {
 
   /// Emergency stop: zero force within `emergencyRamp_s`, until `rearm`.
   void emergencyStop();
-  /// The device has lost its position: handled like a jump.
+  /// The device has lost its position; handled like a jump.
   void displace();
   /// Removes the force for this reason until `rearm`. The first reason is kept.
   void latch(ForceHalt reason);
@@ -125,10 +125,10 @@ class ForceGuard {
   double last_mm_ = 0, output_N_ = 0, gain_ = 0;
   bool started_ = false, stopping_ = false, running_ = false, tooFast_ = false;
   std::uint32_t bad_ = 0, good_ = 0;
-  double pace_mm_ = 0;                 ///< distance per period at the last good reading
-  double since_ = 0;                   ///< periods since the last good reading, including this one
-  double unseen_ = 0;                  ///< number of these without information
-  double jumps_ = 0;                   ///< recent absurd readings
+  double pace_mm_ = 0;  ///< distance per period at the last good reading
+  double since_ = 0;    ///< periods since the last good reading, including this one
+  double unseen_ = 0;   ///< periods since the last good reading without information from the encoder
+  double jumps_ = 0;    ///< recent absurd readings
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the position was accepted without proof
   bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
@@ -142,7 +142,7 @@ class ForceGuard {
   double moved_mm_ = 0;     ///< distance between the last two good readings
   bool resisting_ = false;  ///< the handle is where only the full force or the end of travel could hold it
   double resisted_mJ_ = 0;  ///< work against the force since then
-  double entered_mJ_ = 0;   ///< kinetic energy of the handle at that moment
+  double entered_mJ_ = 0;   ///< kinetic energy of the handle when the resistance began
   double fastest_mm_per_s_ = 0, beyond_s_ = 0, pinned_s_ = 0;
 };
 

@@ -69,7 +69,7 @@ class ForceLaw {
   std::uint32_t state_ = 0;
   bool actuated_ = false;
   bool caught_ = true;   ///< the handle has been calm since the state changed, so a press may actuate
-  double calm_s_ = 0;    ///< duration of that calm so far
+  double calm_s_ = 0;    ///< duration of the calm so far
   double fading_N_ = 0;  ///< force difference to the previous state, which fades out
   double fadeLeft_mJ_ = 0,
          /// energy that the cross-fade may still give, and the position where it was last counted

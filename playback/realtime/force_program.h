@@ -124,9 +124,9 @@ struct ForceExcitation {
   double middle_mm = 5, half_mm = 2;  ///< half_mm > 0: turning points at this distance from the middle
   double largest_N = 1;               ///< > 0; largest force
   double lead_s = 0.001;              ///< >= 0; approximate delay of a force
-  // Of the relay.
+  // For the relay.
   double slowest_mm_per_s = 30, fastest_mm_per_s = 150;
-  // Of the chirp.
+  // For the chirp.
   double mass_kg = 0.05,
          friction_N =
              0;  ///< approximate; the force is that which moves this mass by `shake_mm`, plus its friction

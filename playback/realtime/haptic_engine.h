@@ -54,8 +54,8 @@ struct EngineEvent {
   EventKind kind = EventKind::grain;
   std::uint8_t state = 0;
   std::uint16_t jump = 0;
-  std::uint32_t count = 1;  ///< number of grains merged into it
-  std::int64_t frame = 0;   ///< sample at which it sounds
+  std::uint32_t count = 1;  ///< number of grains merged into this burst
+  std::int64_t frame = 0;   ///< sample at which the burst sounds
   double displacement_mm = 0;
   double amplitude = 0;  ///< of its burst, before filters and gain; 0 where none sounds
 };
@@ -177,7 +177,7 @@ class HapticEngine {
   SpeedTracker tracker_;
   bool hasLastInput_ = false;
   bool heldByDisplacement_ = false;  ///< the last reading was a displacement
-  double held_mm_ = 0;               ///< position of that reading
+  double held_mm_ = 0;               ///< position of the last input
   double lastInput_frames_ = 0;
   std::int64_t lastScheduled_ = 0;
   std::int64_t nextBurstFrame_ = 0;

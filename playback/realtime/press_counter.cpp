@@ -7,8 +7,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double upShare = 0.1;        // of the travel: a finger that only rests on the button counts as up
-constexpr double throughShare = 0.95;  // of the travel, for a button without a bottom-out
+constexpr double upShare = 0.1;  // share of the travel: a finger that only rests on the button counts as up
+constexpr double throughShare = 0.95;  // share of the travel, for a button without a bottom-out
 constexpr double leastTravel_mm = 1e-3;
 
 struct Travelled {

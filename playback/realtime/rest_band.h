@@ -74,7 +74,7 @@ class RestBand {
   Motion motion_ = Motion::up;
   double force_N_ = 0;
   double swing_N_ = 0, swungAt_s_ = 0;
-  double lowest_N_ = 0, highest_N_ = 0;  // range of the swing when it came to rest
+  double lowest_N_ = 0, highest_N_ = 0;  // range of the swing when the finger came to rest
 };
 
 }  // namespace detent::playback

@@ -11,7 +11,7 @@ namespace {
 // after that from the second mark, as in rendering, because a press begins slowly.
 constexpr double touchShare = 0.02, fromShare = 0.1, toShare = 0.9;
 constexpr double timedFrom = 0.03;        // of the distance from 10 to 90 %: enough to show a speed
-constexpr double settledAt = 0.5;         // of the travel, if there is no jump before
+constexpr double settledAt = 0.5;         // share of the travel, if there is no jump before
 constexpr double fastest_mm_per_s = 1e6;  // for a reading that covers the whole distance
 
 double strongestUpTo(const StrokeTable& press, double at_mm) {

@@ -26,7 +26,7 @@ enum class CrossingKind : std::uint8_t {
 struct Crossing {
   CrossingKind kind = CrossingKind::grain;
   std::uint16_t jump = 0;  ///< index into the stroke's jumps
-  std::uint8_t state = 0;  ///< state of the button it belongs to
+  std::uint8_t state = 0;  ///< state of the button in which the event happened
   /// number of grains merged into this one (only if more were crossed than are kept separately)
   std::uint32_t count = 1;
   /// its time as a share of the interval between the two readings, 0..1, never decreasing

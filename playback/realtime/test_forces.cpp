@@ -68,7 +68,7 @@ double TestForces::firstMove_N(double position_mm) {
     pushed_s_ += period_s_;
     if (pushed_s_ > 2 * part_s) {
       strongest_ += relay_N_ >= most_N ? 1 : 0;
-      unmoved_ = strongest_ == 2;  // in both directions
+      unmoved_ = strongest_ == 2;  // the handle moved in neither direction
       if (unmoved_) return 0;
       beginPush(position_mm);
     }

@@ -41,7 +41,7 @@ class TestForces {
   int strongest_ = 0;        ///< number of pushes with the full force
   double relay_N_ = 0;       ///< strength; increases from push to push until the handle moves
   int direction_ = 1;        ///< 1: towards growing displacement
-  std::uint32_t turns_ = 0;  ///< turns since it moves
+  std::uint32_t turns_ = 0;  ///< number of turns since the handle moves
   double fastest_mm_per_s_;
   double time_s_ = 0, phase_rad_ = 0;
 };

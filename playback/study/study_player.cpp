@@ -82,7 +82,7 @@ StudyTrouble troubleOf(SensorCondition condition) {
 }
 
 /// "c0 + c1 u ... N, residual 0.02 N, 14 weights": the calibration that converted readings to newtons.
-std::string wordsOf(const SensorCalibration& c) {
+std::string calibrationText(const SensorCalibration& c) {
   std::string text = c.circuit == SensorCircuit::newtons  ? "newtons"
                      : c.circuit == SensorCircuit::linear ? "linear"
                                                           : "divider";
@@ -158,7 +158,7 @@ class Player final : public StudyPlayer {
 
   StudyRoute route() const override {
     StudyRoute route{settings_.sensorPort, "", ""};
-    if (sensor()) route.sensorCalibration = wordsOf(settings_.calibration);
+    if (sensor()) route.sensorCalibration = calibrationText(settings_.calibration);
     if (timed_) route.timing = timing();
     if (force_)
       route.force = force_->device().name +

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps the newest section of CHANGELOG.md short: check_changelog.py ROOT
+"""Keeps the newest section of CHANGELOG.md that has entries short: check_changelog.py ROOT
 
 Prints FILE:LINE of entries longer than 160 characters, entries of more than one line, and groups of more than ten entries.
 """
@@ -13,12 +13,14 @@ MOST_ENTRIES = 10
 
 
 def findings(text):
-    """Yields (line number, problem) for the newest section."""
-    section, group, entries, comment = 0, "", 0, False
+    """Yields (line number, problem) for the newest section; an empty "Unreleased" is passed over."""
+    section, group, entries, comment, used = 0, "", 0, False, 0
     for number, line in enumerate(text.splitlines(), 1):
         if line.startswith("## "):
             section, group, entries = section + 1, line[3:], 0
-        if section != 1:
+        elif line.startswith("- ") and section > 0 and used == 0:
+            used = section
+        if section == 0 or used not in (0, section):
             continue
         if line.startswith("### "):
             group, entries = line[4:], 0

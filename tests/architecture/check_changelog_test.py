@@ -28,6 +28,10 @@ class Rules(unittest.TestCase):
     def test_an_eleventh_entry_is_found_once(self):
         self.assertEqual(lines_of("- y\n" * 12), [17])
 
+    def test_the_release_below_an_empty_section_is_checked(self):
+        release = "# Changelog\n\n## Unreleased\n\n## 0.2.0\n\n### Added\n\n- " + "x" * 161 + "\n" + OLD
+        self.assertEqual([number for number, _ in check_changelog.findings(release)], [9])
+
 
 if __name__ == "__main__":
     unittest.main()

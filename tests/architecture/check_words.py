@@ -3,7 +3,7 @@
 """Counts the words that docs/reference/glossary.md forbids: check_words.py ROOT [--accept | --list ROOM [WORD]]
 
 The table "Words to avoid" of the glossary names the words and where they are looked for:
-- comments: text of C++ comments;
+- comments: text of C++ comments and names of tests;
 - identifiers: parts of identifiers in C++ code ("inkPieces" has the parts "ink" and "pieces");
 - whole identifiers: complete identifiers in C++ code;
 - comment openings: first word of a comment.
@@ -25,6 +25,7 @@ FOREIGN = {"fz_walk_path"}  # names of other libraries that this code cannot cha
 ROOMS = ("model", "importer", "playback", "editor", "tests", "samples")
 BASELINE = Path(__file__).with_name("words_baseline.json")
 PIECE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|[A-Za-z_]\w*', re.S)
+TEST_NAME = re.compile(r'\b(?:TEST_CASE|SECTION|holdsAlways)\(\s*"((?:\\.|[^"\\])*)"')
 PART = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 
 
@@ -48,6 +49,9 @@ class Rules:
 
 def findings(text, rules):
     """Yields (position, word) for each forbidden word of a C++ file."""
+    for name in TEST_NAME.finditer(text):
+        for found in rules.comments.finditer(name[1]):
+            yield name.start(1) + found.start(), found[0].lower()
     previous_end = -1  # of a comment: the lines of one comment have one opening
     for match in PIECE.finditer(text):
         piece = match[0]

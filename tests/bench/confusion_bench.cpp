@@ -28,7 +28,7 @@ Button sample(char name) {
   return *readButtonFile(std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json");
 }
 
-/// As K&L's participants felt them.
+/// Perception of the buttons with the settings of K&L's experiment.
 std::vector<FeltButton> feelAll(PerceptionSettings settings) {
   settings.playback.feel = Feel::paper;
   std::vector<FeltButton> felt;
@@ -66,7 +66,7 @@ std::vector<double> baseline(const std::vector<FeltButton>& felt, VibrationDista
   return likeness;
 }
 
-/// One figure of the buttons and nothing else.
+/// Prints errors forecast from a single figure of the buttons.
 void printSimple(const std::vector<PredictedPair>& pairs) {
   std::vector<double> travel, strength, grains;
   for (std::size_t k = 1; k < names.size(); ++k)

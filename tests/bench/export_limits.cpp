@@ -22,7 +22,7 @@ struct Tally {
   std::uint64_t written = 0, refused = 0, passed = 0;
 };
 
-/// Refusals without their figures.
+/// A refusal's sentence without its numbers.
 std::string reasonOf(std::string sentence) {
   for (char& c : sentence)
     if (c >= '0' && c <= '9') c = '#';

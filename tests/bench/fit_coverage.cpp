@@ -47,7 +47,7 @@ Truth bump(std::mt19937& random) {
   return truth;
 }
 
-/// Cubics whose tactile point is one of their knots: what the fit has as its model.
+/// Cubics whose tactile point is one of their knots, as the fit assumes.
 Truth cubics(std::mt19937& random) {
   std::uniform_real_distribution<double> u(0, 1);
   const double x1 = 1.0 + 0.6 * u(random), f1 = 0.5 + 0.2 * u(random), x2 = x1 + 0.5 + 0.5 * u(random);

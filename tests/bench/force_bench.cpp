@@ -55,8 +55,8 @@ class PaperLaw {
   bool pressing_ = true;
 };
 
-// Another program that runs in between lengthens any step. The steps are the same in every pass: the least
-// time of a step is its own.
+// Other programs lengthen some steps. The steps are the same in every pass, so the least time of each step
+// over all passes is its own.
 void stepTimes() {
   constexpr std::size_t steps = 10000000;
   constexpr int passes = 5;
@@ -279,7 +279,7 @@ void identifyConstants(unsigned runs) {
 }
 
 void identifyKnots(unsigned runs, const char* name, PressedRecord presses) {
-  // Parabolas: eight knots can have them exactly.
+  // Parabolas, which eight knots represent exactly.
   presses.k = [](double x) { return 0.25 + 0.03 * (x - 2) * (x - 2); };
   presses.b = [](double x) { return 0.004 - 0.0005 * (x - 2) * (x - 2); };
   IdentifySettings settings;

@@ -143,8 +143,7 @@ double peakMemory_MB() {
   return match.hasMatch() ? match.captured(1).toDouble() / 1024 : 0;
 }
 
-/// A thread with nothing to do but to wake every 2 ms: what it comes late is the machine's doing, not the
-/// dialogue's.
+/// A thread that only wakes every 2 ms: its lateness is caused by the machine, not by the dialogue.
 class IdleThread {
  public:
   IdleThread()
@@ -161,7 +160,7 @@ class IdleThread {
 
  private:
   std::atomic<double> longest_ms_ = 0;
-  std::jthread thread_;  // last: it uses what stands above
+  std::jthread thread_;  // last member, because the thread uses the others
 };
 
 struct Figures {
@@ -288,7 +287,7 @@ QString tableOf(const Figures& f) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  detent::editor::giveLargeBlocksBack();  // as detent-edit does
+  detent::editor::giveLargeBlocksBack();  // memory setting of detent-edit
   QApplication app(argc, argv);
   const QStringList arguments = app.arguments();
   const auto valueOf = [&](const char* option) {

@@ -58,7 +58,7 @@ Named namedBy(const std::string& name) {
       words.push_back(word);
     word.clear();
   }
-  if (words.size() > 1 && isMark(words.back())) words.pop_back();  // which unit it is
+  if (words.size() > 1 && isMark(words.back())) words.pop_back();  // mark of the unit
   Named named;
   for (const std::string& each : words) (makers.contains(each) ? named.maker : named.model).insert(each);
   return named;
@@ -75,7 +75,7 @@ bool isSame(const Named& a, const Named& b) {
   return commonMaker || (a.model.size() > 1 && !(a.maker.empty() && b.maker.empty())) || a.model.size() > 2;
 }
 
-/// One record of the one laboratory, with what it differs by from every record of the other.
+/// One record of one laboratory, with its differences to every record of the other.
 struct Query {
   std::vector<std::vector<FeelDifference>> to;
   std::vector<std::size_t> same;
@@ -161,7 +161,7 @@ Outcomes withWeights(const std::vector<Pair>& pairs, const FeelWeights& weights)
   return outcomes;
 }
 
-/// Of every pair, there and back, with the weights that are best for all others in both directions.
+/// Judges each pair in both directions, with the weights that are best for all other pairs.
 std::pair<Outcomes, Outcomes> leavingOneOut(const std::vector<Pair>& there, const std::vector<Pair>& back) {
   std::vector<std::pair<Outcomes, Outcomes>> tried;
   for (const FeelWeights& weights : candidates())
@@ -181,14 +181,14 @@ std::pair<Outcomes, Outcomes> leavingOneOut(const std::vector<Pair>& there, cons
   return judged;
 }
 
-/// Another way to compare: what it makes of the differences, there (1) and back (-1).
+/// Another way to compare: a function of the differences and the direction (1: there, -1: back).
 struct Method {
   const char* name;
   std::function<std::vector<FeelDifference>(std::vector<FeelDifference>, double way)> of;
 };
 
-/// By how much one laboratory's forces lie above the other's on the same switch: median over the pairs but
-/// one, to half a gf, so that no pair has a say in what it is judged by.
+/// Difference between the forces of two laboratories on the same switch: median over all other pairs, to
+/// half a gf, so that no pair influences its own judgement.
 double levelBetween_gf(const std::vector<Pair>& there) {
   std::set<double> halves;
   for (std::size_t left = 0; left < there.size(); ++left) {
@@ -216,7 +216,7 @@ std::vector<Pair> compared(const std::vector<Pair>& pairs, const Method& method,
   return other;
 }
 
-/// To be compared with those of feel_distance.h.
+/// Prints fitted weights, for comparison with those of feel_distance.h.
 void sayFitted(const std::vector<Pair>& there, const std::vector<Pair>& back) {
   const std::vector<FeelWeights> every = candidates();
   const auto worth = [&](const FeelWeights& weights) {

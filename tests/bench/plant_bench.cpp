@@ -31,9 +31,9 @@ playback::ForceProgram limitedProgram(const std::string& button) {
 
 struct Scene {
   std::string title;
-  double at_s = 0;                          ///< when it happens
-  std::vector<double> force_N;              ///< one a period
-  std::function<double(double)> allowed_N;  ///< over time since it happened
+  double at_s = 0;                          ///< time of the fault
+  std::vector<double> force_N;              ///< one value per period
+  std::function<double(double)> allowed_N;  ///< allowed force over the time since the fault
 };
 
 /// A hand of 2 N/mm rests on the handle at a depth; faults come at `at_s`.
@@ -69,7 +69,7 @@ std::vector<Scene> scenes() {
   return all;
 }
 
-/// Largest force over what is allowed, from the fault on; 0: never.
+/// Largest excess over the allowed force, from the fault on; 0: never.
 double excess_N(const Scene& scene) {
   double most_N = 0;
   for (std::size_t k = 0; k < scene.force_N.size(); ++k) {
@@ -159,7 +159,7 @@ double largestOverRamp_N() {
 
 struct Rest {
   int steps = 0;       ///< of the encoder, from the lowest to the highest reading
-  double force_N = 0;  ///< rms about its mean
+  double force_N = 0;  ///< rms of the force about its mean
   bool quiet() const { return steps <= 1 && force_N <= 0.005; }
 };
 

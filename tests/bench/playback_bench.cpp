@@ -300,7 +300,7 @@ std::vector<Sample> sampleButtons() {
   return samples;
 }
 
-/// Continuous presses of 0.25 s, nobody rests.
+/// Presses of 0.25 s without a rest between them.
 PressTrace busyTrace(double duration_s, double peak_N) {
   PressTrace trace;
   for (double t = 0; t < duration_s; t += 1 / 425.0) {

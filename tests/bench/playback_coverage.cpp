@@ -208,7 +208,8 @@ void studies() {
   }
 }
 
-/// A device of resonances at least an octave apart, and what a recording of the sweep holds of it.
+/// A device of resonances at least an octave apart, and the part of them that a recording of the sweep
+/// holds.
 struct SimulatedDevice {
   std::vector<Resonance> resonances;  // rising
   std::vector<float> recorded;
@@ -284,8 +285,8 @@ void sweeps() {
   }
 }
 
-// `latency` prints mean and SD of what was measured, as the paper does: a spread, no error of the mean. SD /
-// sqrt(N) must be one.
+// `latency` prints mean and SD of the measured delays, as the paper does: a spread, no error of the mean. SD
+// / sqrt(N) must be one.
 void latencies() {
   printHead("`latency`: mean against SD / sqrt(N)", "delays");
   std::mt19937 random(9);

@@ -76,7 +76,7 @@ void row(int number, const char* question, const Band& band, const char* people,
               band.high, people, hit ? "yes" : "**missed**");
 }
 
-int hits = 0;  // effects forecast as people did
+int hits = 0;  // number of effects forecast in the direction that people showed
 void effect(int number, const char* question, const Band& band, const char* people, bool hit) {
   hits += hit ? 1 : 0;
   row(number, question, band, people, hit);

@@ -23,7 +23,7 @@ using detent::tests::TerminalProgram;
 
 namespace {
 
-/// Sends what `counts` says 400 times a second, time since its start in s.
+/// Sends the value of `counts` 400 times a second; its argument is the time since the start in s.
 class Sensor {
  public:
   using Counts = std::function<double(double time_s)>;
@@ -96,7 +96,7 @@ TEST_CASE("calibrate: a reading that still moves is waited for") {
   CHECK(screen.find("warning") == std::string::npos);
 }
 
-TEST_CASE("calibrate: a reading that never rests and one that is noisy are told") {
+TEST_CASE("calibrate: a reading that never rests and one that is noisy are reported") {
   const std::string creeping = weighed([](double t) { return 200 + 20 * t; });
   INFO(creeping);
   CHECK(creeping.find("still drifts") != std::string::npos);

@@ -33,7 +33,7 @@ using detent::tests::TerminalProgram;
 
 namespace {
 
-/// On the sensor; set by whoever presses.
+/// force on the sensor, set by the simulated finger
 std::atomic<double> force_N{0};
 
 /// One line of docs/reference/serial-protocol.md: a sensor whose conductance rises with the force, 10 kOhm to
@@ -141,11 +141,11 @@ class SimulatedTransducer {
   double broken_s_;
   std::vector<Biquad> peaks_;
   std::int64_t count_ = 0;
-  JackListener listener_;  // last: it calls move
+  JackListener listener_;  // last member, because it calls move
 };
 
-/// The page's command lines: what is indented and begins with detent-play, with `port` in the place of the
-/// board's.
+/// The page's command lines: indented lines that begin with detent-play, with `port` in place of the board's
+/// port.
 std::vector<std::vector<std::string>> commandsOfThePage(const std::string& port) {
   std::ifstream page(DETENT_SOURCE_DIR "/docs/guide/first-button.md");
   std::vector<std::vector<std::string>> commands;
@@ -205,15 +205,15 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder, 
   TerminalProgram program(command, folder.path());
   REQUIRE(program.shows("q ends", 10));
   REQUIRE(program.shows("sensor runs", 10));
-  sleepUntil(now_s() + 1);  // nobody presses yet: the noise is learnt
+  sleepUntil(now_s() + 1);  // the program learns the sensor's noise before the first press
   board.press(1.2, 0.15, 0.1);
   CHECK(program.shows("jumps 2 ", 5));
   program.type("q");
   CHECK(program.exitCode(5) == 0);
   INFO(program.screen());
   CHECK(program.screen().find("1 press jumps, 1 release jumps, 1 bottom-outs") != std::string::npos);
-  // One thing is said, which the page foretells: the sweep's equalizer spares the jumps. A board that halts
-  // is warned of, too.
+  // The one expected warning, which the page mentions: the sweep's equalizer spares the jumps. A board that
+  // stops is reported, too.
   const std::size_t said = program.screen().find("warning:");
   CHECK(said != std::string::npos);
   INFO("the simulated board or finger halted for up to " << board.longestHalt_s() << " s");

@@ -111,7 +111,7 @@ TEST_CASE("convert: a button file is rewritten byte for byte") {
   CHECK(graph.read("copy.button.json") == graph.read("EF.button.json"));
 }
 
-TEST_CASE("convert: SVG in the asked units") {
+TEST_CASE("convert: SVG in the requested units") {
   const Graph graph;
   CHECK(graph({"convert", "B.button.json", "b.svg", "--force-unit", "gf", "--length-unit", "in"}).exitCode ==
         0);

@@ -162,7 +162,7 @@ TEST_CASE("A missing file and a folder are no inputs") {
   }
 }
 
-TEST_CASE("Pictures without a force graph are told from broken ones") {
+TEST_CASE("Pictures without a force graph are distinguished from broken ones") {
   refused("dot.bmp", whiteBmp(1, 1), 4, "no force graph");
   refused("blank.bmp", whiteBmp(640, 480), 4, "no force graph");
   refused("line.pdf", pdfPages(2, "0 0 m 600 800 l S"), 4, "no force graph");

@@ -167,7 +167,7 @@ TEST_CASE("performance: its help says what the forecast hits and what it misses"
   CHECK(!contains(help, "**"));
 }
 
-TEST_CASE("render: long presses are warned of, samples stand as asked") {
+TEST_CASE("render: long presses are warned of, samples are as requested") {
   const Play play;
   play.write("long.csv", "time_s,force_N\n0,0\n0.2,1.5\n0.4,0\n601,0\n");
   const ProgramResult warned = play(

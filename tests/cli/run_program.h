@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Runs a built program in a folder of its own and gives back what it printed, its exit code and the files it
-// left.
+// Runs a built program in a folder of its own and returns its output, exit code and files.
 
 #include <cstdlib>
 #include <filesystem>

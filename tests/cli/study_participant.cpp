@@ -66,7 +66,7 @@ class Participant {
     return typed != leaves;
   }
 
-  /// Waits until the device is there again.
+  /// Waits until the device is connected again.
   bool deviceBack(StudyTrouble why) {
     say(std::string("lost: ") + nameOf(why));
     while (trouble() != StudyTrouble::none)

@@ -33,7 +33,7 @@ using namespace detent::editor::tests;
 
 namespace {
 
-// Rebuilds everything from its parts: whatever rule there is, it holds.
+// Rebuilds everything from its parts, so that each rule is checked.
 void verifyValid(const Button& button) {
   std::vector<ButtonState> states;
   for (const ButtonState& state : button.states()) {
@@ -236,7 +236,7 @@ class Monkey {
     rig_.settings.setSnap(snap);
   }
   void fit() { rig_.workspace.canvas().fit(); }
-  // Keeps the curves from growing beyond what a hand makes.
+  // Keeps the curves from growing beyond the work of a hand.
   void tidy() {
     if (rig_.document.history().dragging() || rig_.press().knots().size() < 40) return;
     if (const auto linear = editGraph(
@@ -415,7 +415,7 @@ void MonkeyTest::randomCorrectionsOfAnImportAreUndone() {
     if (i % 7 == 0) QTest::qWait(1);
     if (i % 100 != 0) continue;
     QVERIFY(afterUndoingAll() == first);
-    state.acceptAll();  // what is ticked among it, with the monkey's next steps in between
+    state.acceptAll();  // imports the ticked graphs; the monkey goes on meanwhile
   }
   QVERIFY(afterUndoingAll() == first);
   // Whatever came of the imports on the way (on a slow machine nothing): one that nobody disturbs gives its

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A workspace on a button, and hands for it.
+// A workspace on a button, with mouse and keys to operate it.
 
 #include <QApplication>
 #include <QMouseEvent>

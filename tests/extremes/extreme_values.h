@@ -158,7 +158,7 @@ inline Button extremeButton(Size size) {
 }
 inline Button extremeButton() { return extremeButton(anySize()); }
 
-/// A failure somebody can act on: what, and what to do.
+/// Asserts that a failure names its cause and a remedy.
 inline void assertNamed(const Failure& failure) {
   RC_ASSERT(!failure.problem.empty());
   RC_ASSERT(!failure.sentence().empty());

@@ -212,7 +212,7 @@ TEST_CASE("any points and any options are fitted or refused by name") {
     if (!fitted) return assertNamed(fitted.failure());
     RC_ASSERT(fitted->summary.pieces >= 1);
   });
-  holdsAlways("a few wild points move the curve by little", [] {
+  holdsAlways("a few outliers move the curve by little", [] {
     const StrokeCurve truth = *StrokeCurve::throughPoints({{0, 0.2}, {4, within(0.4, 1)}});
     std::vector<CurvePoint> points;
     for (int i = 0; i <= 200; ++i)
@@ -233,7 +233,7 @@ TEST_CASE("any points and any options are fitted or refused by name") {
   });
 }
 
-TEST_CASE("three wild samples of a line give no tactile point") {
+TEST_CASE("three outliers of a line give no tactile point") {
   // As large as the stroke's own force they resemble a spike: the curve followed one of them in 2 logs of
   // 100.
   std::vector<CurvePoint> points;

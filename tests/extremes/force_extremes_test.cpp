@@ -259,8 +259,8 @@ TEST_CASE("a record beyond any button is refused with the sample that is") {
   CHECK(found.failure().code == FailureCode::unreadableInput);
 }
 
-TEST_CASE("a button that pulls in at the bottom holds its energy against the wall, too") {
-  // It ends at -3,500 N; the device pulls as steeply as it can, and comes to rest inside the end stop.
+TEST_CASE("a button that pulls in at the bottom keeps its energy at the bottom-out, too") {
+  // The force ends at -3,500 N; the device pulls as steeply as it can and comes to rest inside the end stop.
   const Result<StrokeCurve> press = StrokeCurve::throughPoints({{0, 0}, {1.5, -3000}, {4, -3500}});
   const auto prepared = prepareForce(
       test::buttonOf("pulls", {{"", *ForceGraph::fromCurves(*press, {}), {}, {}, {}}}), simulatedDevice());

@@ -20,7 +20,7 @@ using namespace detent::tests;
 
 namespace {
 
-/// Readers read files: one, written anew for each case.
+/// Writes the text to one file again for each case, because readers read files.
 Result<ForceLog> readText(const std::string& text) {
   static const std::string path = (std::filesystem::temp_directory_path() /
                                    ("detent_log_extremes_" + std::to_string(std::random_device{}()) + ".csv"))

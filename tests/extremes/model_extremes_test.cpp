@@ -82,7 +82,7 @@ TEST_CASE("any knots make a curve or a failure that says which knot") {
   });
 }
 
-TEST_CASE("force and slope are finite wherever they are asked", "[finite]") {
+TEST_CASE("force and slope are finite at every displacement", "[finite]") {
   holdsAlways("force_N, forceBefore_N", [] {
     const StrokeCurve curve = extremeCurve();
     const double x = oneIn(2) ? anyPlaceOn(curve) : anyFinite();
@@ -236,7 +236,7 @@ TEST_CASE("sections cover the stroke whatever the curve", "[finite]") {
       }
     }
   });
-  holdsAlways("tactilePoints stand in the order travelled, as prominent as asked", [] {
+  holdsAlways("tactilePoints stand in the order travelled, as prominent as requested", [] {
     const StrokeCurve curve = extremeCurve();
     SectionSettings settings;
     settings.minProminenceOfSpan = within(0, 0.5);

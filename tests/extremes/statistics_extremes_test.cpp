@@ -58,7 +58,7 @@ TEST_CASE("rates and their intervals", "[finite]") {
     RC_ASSERT(isInterval(i));
     if (c.trials > 0) RC_ASSERT(i.low <= rateOf(c) + 1e-12 && i.high >= rateOf(c) - 1e-12);
   });
-  holdsAlways("clopperPearson: within 0 and 1, around the rate, its tails as asked", [] {
+  holdsAlways("clopperPearson: within 0 and 1, around the rate, with the requested tails", [] {
     const Count c = anyCount(1e4);
     const double confidence = within(0.5, 0.999);
     const Interval i = clopperPearson(c, confidence);

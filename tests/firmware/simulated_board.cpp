@@ -19,7 +19,8 @@ extern "C" {
 
 namespace detent::firmware {
 
-// Data addresses from the chips' data sheets: ICR1 0x86, OCR1A 0x88; ICR3 0x96, OCR3A 0x98. COMnA1 is bit 7 of TCCRnA.
+// Data addresses from the chips' data sheets: ICR1 0x86, OCR1A 0x88; ICR3 0x96, OCR3A 0x98. COMnA1 is bit 7
+// of TCCRnA.
 const BoardKind uno{"uno",    "atmega328p", {'D', 2}, {'D', 3}, {'D', 4}, {'B', 1},
                     {'D', 6}, 0x86,         0x88,     2048,     40};
 const BoardKind mega{"mega",   "atmega2560", {'E', 4}, {'E', 5}, {'G', 5}, {'E', 3},
@@ -40,7 +41,7 @@ void quiet(avr_t*, const int, const char*, va_list) {}
 }  // namespace
 
 struct SimulatedBoard::Outside {
-  std::map<char, std::pair<unsigned, unsigned>> ports;  ///< which pins, at what levels
+  std::map<char, std::pair<unsigned, unsigned>> ports;  ///< pins of each port, and their levels
 };
 
 SimulatedBoard::SimulatedBoard(const BoardKind& kind, const std::string& elfFile)
@@ -84,7 +85,7 @@ SimulatedBoard::SimulatedBoard(const BoardKind& kind, const std::string& elfFile
       +[](avr_irq_t*, std::uint32_t value, void* board) {
         static_cast<SimulatedBoard*>(board)->notePwmEdge(value != 0);
       });
-  setPin(kind.stopSwitch, false);  // closed, as it has to be
+  setPin(kind.stopSwitch, false);  // the switch must be closed
 }
 
 SimulatedBoard::~SimulatedBoard() {
@@ -106,7 +107,8 @@ void SimulatedBoard::run_us(double duration_us) {
     const int state = avr_run(avr_);
     if (state == cpu_Done || state == cpu_Crashed)
       throw std::runtime_error("the simulated processor crashed");
-    // Its two bytes are written one after the other: what stands for less than four instructions is neither old nor new.
+    // The stack pointer's two bytes are written one after the other, so a value that lasts less than four
+    // instructions is half written and does not count.
     recentStack_[recent_++ % 4] = avr_->data[stackPointer] | avr_->data[stackPointer + 1] << 8;
     const int stack = *std::max_element(std::begin(recentStack_), std::end(recentStack_));
     if (stack > 0 && stack < lowestStack_) lowestStack_ = stack;
@@ -205,7 +207,8 @@ void SimulatedBoard::setVariable(const std::string& name, int bytes, std::uint32
 }
 
 void SimulatedBoard::wrapClockIn(double before_us) {
-  // micros() is (overflows << 8 | timer) * 4, in 32 bits. Forwards by less than half a turn each time: a clock never runs back.
+  // micros() is (overflows << 8 | timer) * 4, in 32 bits. Forwards by less than half a turn each time: a
+  // clock never runs back.
   for (std::uint32_t eighth = 1; eighth < 8; eighth += 2) {
     setVariable("timer0_overflow_count", 4, eighth << 19);
     run_us(3000);

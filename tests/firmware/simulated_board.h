@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An Arduino board in simavr: a compiled sketch on the real instruction set, with its port, pins, converter and clock as numbers.
+// An Arduino board in simavr: a compiled sketch on the real instruction set, with its port, pins, converter
+// and clock as numbers.
 
 #include <cstdint>
 #include <memory>
@@ -18,14 +19,14 @@ struct Pin {
   int bit = 0;
 };
 
-/// Where a board has what the sketches use.
+/// Addresses and pins of a board that the sketches use.
 struct BoardKind {
   const char* name = "";  ///< as build_sketch.sh takes it
   const char* mcu = "";
   Pin encoderA, encoderB, direction, pwm, stopSwitch;
   std::uint16_t icr = 0, ocr = 0;  ///< data addresses of the PWM timer's top and compare registers
   std::uint16_t ramBytes = 0;
-  std::uint16_t tableRows = 0;  ///< that force1d offers on it
+  std::uint16_t tableRows = 0;  ///< rows of the table that force1d offers on this board
 };
 
 extern const BoardKind uno, mega, leonardo;
@@ -44,11 +45,12 @@ class SimulatedBoard {
   void send(const std::string& bytes);
   /// Everything received so far and not taken yet.
   std::string take();
-  /// Sends a body with its checksum and runs until a line comes back; the line's body, or "" after `wait_us`.
+  /// Sends a body with its checksum and runs the board until a line comes back. Returns the line's body, or
+  /// "" after `wait_us`.
   std::string ask(const std::string& body, double wait_us = 30000);
 
   void setPin(Pin pin, bool high);
-  bool pinIsHigh(Pin pin) const;  ///< false where the board does not drive it
+  bool pinIsHigh(Pin pin) const;  ///< false if the board does not drive the pin
   void setAnalog_mV(int channel, unsigned value_mV);
 
   /// Share of the time that the PWM pin was high, and how often it rose a second, over the next `window_us`.
@@ -57,7 +59,8 @@ class SimulatedBoard {
     double frequency_Hz = 0;
   };
   Pwm measurePwm(double window_us = 500);
-  /// The same share as the timer's registers hold it; 0 where the pin is not joined to the timer. Costs no time.
+  /// The same share as the timer's registers hold it; 0 where the pin is not joined to the timer. Costs no
+  /// time.
   double duty() const;
 
   std::uint8_t byteAt(std::uint16_t address) const;  ///< of the data space
@@ -66,7 +69,8 @@ class SimulatedBoard {
   /// Runs some 15 ms, after which micros() wraps in `before_us` (timer 0 overflows every 1,024 us).
   void wrapClockIn(double before_us);
 
-  /// Bytes from the end of RAM to the deepest place the stack came to, and to the end of the sketch's variables.
+  /// Bytes from the end of RAM to the deepest place the stack came to, and to the end of the sketch's
+  /// variables.
   int stackUsed() const { return ramEnd_ - lowestStack_; }
   int stackAvailable() const;
 
@@ -78,7 +82,7 @@ class SimulatedBoard {
   std::uint32_t addressOf(const std::string& name) const;
   void notePwmEdge(bool high);
 
-  struct Outside;  ///< what drives the pins
+  struct Outside;  ///< signals that drive the pins
 
   const BoardKind& kind_;
   avr_t* avr_ = nullptr;

@@ -54,7 +54,7 @@ struct ForceBoard : SimulatedBoard {
     while (duty() > 0 && time_us() < began_us + most_us) run_us(50);
     return time_us() - began_us;
   }
-  /// `F` or `H` so many times, `every_us` apart; the last answer.
+  /// Sends `F` or `H` the given number of times, `every_us` apart; returns the last answer.
   std::string keepAsking(const std::string& letterAndForce, int times, double every_us = 4000) {
     std::string answer;
     for (int i = 0; i < times; ++i) {
@@ -131,7 +131,7 @@ TEST_CASE("fsr400: a thousand readings a second with checksums, through the wrap
   }
 }
 
-TEST_CASE("fsr400: says who it is when asked, and nothing else moves it") {
+TEST_CASE("fsr400: answers a request for its name, and ignores everything else") {
   struct Row {
     const char* sent;
     int greetings;
@@ -255,7 +255,7 @@ TEST_CASE("force1d: ignores every line that the protocol does not have") {
     CHECK(board.take().empty() == !row.obeyed);
     CHECK((board.duty() > 0) == row.obeyed);
   }
-  // Lines run into each other: what is cut off costs one line, not two.
+  // Lines run into each other: the cut-off line is lost, and no other.
   board.ask("F,3,0");
   board.take();
   board.send(std::string(300, 'F') + "\n" + lineOf("F,4,1000000"));
@@ -290,7 +290,7 @@ TEST_CASE("force1d: takes its force away by itself when no good line comes") {
       CHECK(silence_ms <= row.silence_ms + 2);
       CHECK(silence_ms >= row.silence_ms - 3);
       board.ask("H,3");
-      CHECK(board.duty() == 0);  // and only `F` brings it back
+      CHECK(board.duty() == 0);  // only `F` brings the force back
     }
 }
 
@@ -370,7 +370,7 @@ TEST_CASE("force1d: runs its table at the rate it says, with the time between tw
     }
     CHECK(board.force_N() ==
           Approx(0.2).margin(0.015));  // released: at G the operator stands at its release end
-    // The steps of the law, counted from outside, beside what it says.
+    // steps of the law, counted from outside, to compare with its own count
     int steps = 0;
     std::uint32_t last = board.variable("lastLaw_us", 4);
     for (int i = 0; i < 100; ++i) {

@@ -98,7 +98,7 @@ void importPage(const Document& document) {
   LocateOptions options = optionsFor(page->unit);
   auto located = locateGraphs(document, *page, options);
   if (located && located->graphs.empty() && page->unit == PageUnit::pixel) {
-    // No frame was found: one given by hand leads the rest of the import over whatever is there.
+    // No frame was found, so a given one leads the rest of the import over the page's content.
     options.frameCorners = {{page->width * 0.15, page->height * 0.1},
                             {page->width * 0.95, page->height * 0.85}};
     located = locateGraphs(document, *page, options);

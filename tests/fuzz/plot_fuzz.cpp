@@ -43,7 +43,7 @@ class Drawing {
   }
 
  private:
-  /// Few, so that strokes share one: what people draw with, and each a little off.
+  /// A few common colours, so that strokes may share one, each varied a little.
   cv::Scalar anyColour() {
     static const std::array<cv::Scalar, 8> kColours{{{255, 255, 255},
                                                      {0, 0, 0},

@@ -44,7 +44,7 @@ TEST_CASE("two parallel lines are as far apart as they are") {
   CHECK(d.press->mean_N == Approx(0.5 * (0.2 + 0.1 * 0.1) / 2 + 0.5 * (0.2 * 0.9) / 1.9).epsilon(0.01));
 }
 
-TEST_CASE("a shifted wall is a matter of displacement, not of force") {
+TEST_CASE("a shifted vertical piece is a difference of displacement, not of force") {
   const auto d = between(pressOnly({{0, 0}, {4, 0}, {4, 2}}), pressOnly({{0, 0}, {4.04, 0}, {4.04, 2}}));
   CHECK(d.press->maxOfSpan == Approx(0.01).epsilon(1e-3));
   CHECK(d.press->max_mm == Approx(0.04).epsilon(1e-3));

@@ -184,7 +184,8 @@ TEST_CASE("a tactile point between knots is moved as well, and of a release too"
   CHECK(tactilePoints(release, Stroke::release)[0].displacement_mm == 1.9);
 }
 
-TEST_CASE("a tactile point on top of a wall is drawn away from it, whatever the wall's inner slopes") {
+TEST_CASE(
+    "a tactile point on top of a vertical piece is drawn away from it, whatever the piece's inner slopes") {
   const auto withBottomOut =
       StrokeCurve::fromKnots({{0, 0, 7, 9}, {0, 0.6, -5, 0}, {2, 0.4, 0, 0.3}, {3, 1, 0.3, 0}});
   REQUIRE(withBottomOut.ok());
@@ -197,7 +198,7 @@ TEST_CASE("a tactile point on top of a wall is drawn away from it, whatever the 
   CHECK(points[0].force_N == 0.8);
 }
 
-TEST_CASE("a wall's foot ends the flanks beside it") {
+TEST_CASE("the lower end of a vertical piece ends the flanks beside it") {
   // A rise up to almost the height of the tactile point before it: stretched from top to top, its lower end
   // would fly 13 N away.
   const auto curve = StrokeCurve::fromKnots(
@@ -225,8 +226,8 @@ TEST_CASE("any tactile point of any curve can be moved a little") {
         const CurvePoint to{points[i].displacement_mm, points[i].force_N + outwards};
         const auto moved = moveTactilePoint(curve, stroke, i, to);
         if (!moved) continue;  // a neighbouring turn of the same height, refused by name
-        // A turn is there, or a level top of which half was held goes on from there. The whole curve decides
-        // what is a tactile point, and where the bottom-out begins.
+        // The point is an extremum, or the end of a level top of which half was fixed. The whole curve
+        // decides which extrema are tactile points, and where the bottom-out begins.
         RC_ASSERT(std::abs(moved->force_N(to.displacement_mm) - to.force_N) < 1e-12 ||
                   std::abs(moved->forceBefore_N(to.displacement_mm) - to.force_N) < 1e-12);
         const auto turns = stroke == Stroke::press ? moved->localMaxima() : moved->localMinima();
@@ -237,7 +238,7 @@ TEST_CASE("any tactile point of any curve can be moved a little") {
   });
 }
 
-TEST_CASE("the snap ratio becomes what is asked") {
+TEST_CASE("the snap ratio becomes the requested one") {
   for (double ratio : {0.05, 0.5, 0.9, 1.2}) {
     const StrokeCurve snapped = require(setSnapRatio(tactileCurve(), 0, ratio));
     const auto metrics = metricsOf(snapped, Stroke::press);
@@ -301,7 +302,7 @@ TEST_CASE("jumps are added and removed on both strokes") {
   requireEditRefusal(addJump(curveThrough({{0, 1}, {4, 0}}), Stroke::press, {2, 0.6, 0.2}), "does not rise");
 }
 
-TEST_CASE("a linear button keeps its wall") {
+TEST_CASE("a linear button keeps its bottom-out") {
   const StrokeCurve line = require(makeLinear(tactileCurve()));
   CHECK(tactilePoints(line, Stroke::press).empty());
   CHECK(line.knots().size() == 3);

@@ -27,7 +27,7 @@ TEST_CASE("what is made while running is kept as it is, and survives its maker")
   CHECK(Message("").empty());
 }
 
-TEST_CASE("the command line is told what to pass, and what helps besides") {
+TEST_CASE("the command line names what to pass, and what helps besides") {
   const Remedies axes{
       {RemedyKind::giveXAxis, {}}, {RemedyKind::giveYAxis, "(here)"}, {RemedyKind::giveFrame, "if missed"}};
   CHECK(commandLineWords(axes) ==

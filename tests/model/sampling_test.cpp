@@ -83,7 +83,7 @@ TEST_CASE("sparse points are joined, never decorated") {
   CHECK(high <= 1 + 2e-4);
 }
 
-TEST_CASE("walls survive, also at both ends and through many points") {
+TEST_CASE("vertical pieces survive, also at both ends and through many points") {
   const auto curve =
       curveThroughDensePoints({{0, 0}, {0, 0.4}, {1, 0.5}, {2, 0.7}, {2, 0.9}, {2, 1.4}, {2, 2}}, 1e-4);
   REQUIRE(curve.ok());
@@ -114,7 +114,7 @@ TEST_CASE("release samples come in the order travelled") {
   CHECK(samples.back().displacement_mm == 0);
 }
 
-TEST_CASE("a curve whose knots stand an ulp apart beside a wall comes back from its samples") {
+TEST_CASE("a curve whose knots stand an ulp apart beside a vertical piece comes back from its samples") {
   const double x = 2.2204460492503136e-19, next = std::nextafter(x, 1.0);
   const auto curve = StrokeCurve::fromKnots({{0, -2e-10, 0, 0},
                                              {x, -2e-10, -4e-6, -4e-6},

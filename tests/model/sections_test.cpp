@@ -102,13 +102,13 @@ TEST_CASE("a wiggle on the flank of a peak is measured by its shallower side") {
   CHECK(points[0].prominence_N == Approx(0.5));
 }
 
-TEST_CASE("the bar is a share of the range below the wall, not of the wall") {
+TEST_CASE("the threshold is a share of the range below the bottom-out, not of the bottom-out") {
   // 0.06 N of 0.6 N is 10 %, but 0.6 % of the bottom-out's 10 N.
   const StrokeCurve curve = through({{0, 0}, {1, 0.5}, {1.5, 0.44}, {3, 0.6}, {3.02, 10}});
   CHECK(tactilePoints(curve, Stroke::press).size() == 1);
 }
 
-TEST_CASE("bottom-out: vertical walls, steep walls, rounded feet, none") {
+TEST_CASE("bottom-out: vertical, steep, with a rounded beginning, none") {
   const BottomOut vertical = bottomOutOf(through(tactilePress));
   CHECK(vertical.isSteep);
   CHECK(vertical.displacement_mm == 3.9);
@@ -126,7 +126,7 @@ TEST_CASE("bottom-out: vertical walls, steep walls, rounded feet, none") {
   CHECK(open.force_N == 0.6);
 }
 
-TEST_CASE("no false walls: stiffening springs, a steep start, a late peak") {
+TEST_CASE("no false bottom-outs: stiffening springs, a steep start, a late peak") {
   CHECK_FALSE(bottomOutOf(through({{0, 0}, {1, 0.1}, {2, 0.3}, {3, 0.8}, {4, 1.6}})).isSteep);
   CHECK_FALSE(bottomOutOf(through({{0, 0}, {0.02, 0.5}, {4, 0.8}})).isSteep);
   CHECK_FALSE(bottomOutOf(through({{0, 0.2}, {3, 0.4}, {3.5, 0.9}, {4, 0.5}})).isSteep);
@@ -137,7 +137,7 @@ TEST_CASE("no false walls: stiffening springs, a steep start, a late peak") {
   CHECK(kinds(sectionsOf(start, Stroke::press)) == std::vector{slope, bottomOut});
 }
 
-TEST_CASE("a wall is found whatever its height against the rest") {
+TEST_CASE("a bottom-out is found whatever its height against the rest") {
   for (double top : {0.75, 1.2, 5.0, 100.0, 1e5}) {
     const BottomOut found = bottomOutOf(through({{0, 0.3}, {3.8, 0.6}, {3.83, top}}));
     CHECK(found.isSteep);
@@ -145,7 +145,7 @@ TEST_CASE("a wall is found whatever its height against the rest") {
   }
 }
 
-TEST_CASE("jump regained inside the wall ends there") {
+TEST_CASE("jump regained inside the bottom-out ends there") {
   const StrokeCurve curve = through({{0, 0.3}, {1, 0.8}, {2, 0.4}, {3.9, 0.5}, {3.9, 1.5}});
   const auto sections = sectionsOf(curve, Stroke::press);
   REQUIRE(kinds(sections) == std::vector{slope, jump, bottomOut});

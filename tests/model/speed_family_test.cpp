@@ -126,7 +126,7 @@ TEST_CASE(
   CHECK_FALSE(atSpeed(family, std::nan("")).ok());
 }
 
-TEST_CASE("curves that end apart are mixed with the nearer end's force, walls included") {
+TEST_CASE("curves that end apart are mixed with the nearer end's force, bottom-outs included") {
   ButtonState state{
       "",
       *ForceGraph::fromCurves(*StrokeCurve::fromKnots({{0, 0, 0, 1}, {4, 4, 1, 0}, {4, 9, 0, 0}}), {}),
@@ -178,7 +178,7 @@ TEST_CASE("scaling a button scales its graphs at all speeds") {
   }
 }
 
-TEST_CASE("a release above the press of another speed is told, with both speeds") {
+TEST_CASE("a release above the press of another speed is reported, with both speeds") {
   ButtonState state = stateWith({20, 100});
   const auto described = [&] {
     std::vector<std::string> sentences;
@@ -191,7 +191,7 @@ TEST_CASE("a release above the press of another speed is told, with both speeds"
   REQUIRE(described().size() == 1);
   CHECK_THAT(described()[0], Catch::StartsWith("release curve at 20 mm/s") &&
                                  Catch::Contains("above the press curve at 100 mm/s"));
-  state.otherSpeeds[0].graph = graphWith(0.6, 0.55);  // its own release, above its own press
+  state.otherSpeeds[0].graph = graphWith(0.6, 0.55);  // the release of this speed is above its own press
   REQUIRE(described().size() == 1);
   CHECK_THAT(described()[0], Catch::Contains("release curve at 100 mm/s"));
 }

@@ -62,7 +62,7 @@ TEST_CASE("outside the curve the nearest end speaks, with slope 0") {
   CHECK(curve.area_mJ(-5, 7) == curve.area_mJ(0, 2));
 }
 
-TEST_CASE("walls: both sides are known, and inversion stands still on them") {
+TEST_CASE("vertical pieces: both sides are known, and inversion stands still on them") {
   const StrokeCurve curve = curveOf({{0, 0, 1, 1}, {1, 1, 1, 9}, {1, 5, 9, 0}, {2, 5, 0, 0}});
   CHECK(curve.forceBefore_N(1) == 1);
   CHECK(curve.force_N(1) == 5);
@@ -88,7 +88,7 @@ TEST_CASE("a flat top has its maximum in its middle; its two ends carry the forc
   CHECK(curve.displacementsAt(1) == std::vector<double>{1, 2});
 }
 
-TEST_CASE("a wall down makes a maximum at its upper end") {
+TEST_CASE("a vertical piece down makes a maximum at its upper end") {
   const StrokeCurve curve = curveOf({{0, 0, 1, 1}, {1, 1, 1, 0}, {1, 0.2, 0, 1}, {2, 1.2, 1, 0}});
   REQUIRE(curve.localMaxima().size() == 1);
   CHECK(curve.localMaxima()[0] == CurvePoint{1, 1});

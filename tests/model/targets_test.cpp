@@ -218,12 +218,14 @@ TEST_CASE("how far a search goes is the same on every machine") {
     sentences.insert(quick.conflict->failure.sentence());
     decided.insert(!quick.conflict->undecided);
   }
-  CHECK(sentences.size() > 1);  // what was allowed did decide
+  CHECK(sentences.size() > 1);  // the allowed effort did change results
   CHECK(decided.size() == 2);
 }
 
-// D's bottom-out is found elsewhere before its travel is so short; the figure jumps, and no step leads on.
-TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere") {
+// Before D's travel becomes so short, its bottom-out begins at another knot: the figure jumps, and no small
+// step leads across.
+TEST_CASE(
+    "a start of the bottom-out that would jump is reported as a bottom-out that would begin elsewhere") {
   const Sample sample = samples()[3];
   REQUIRE(sample.name == "D");
   const TargetOutcome outcome = bentToTargets(sample.button, 0, {{KeyFigure::bottomOutTravel, 2.9133868}});
@@ -231,7 +233,8 @@ TEST_CASE("a foot that would leap is told as the wall that would begin elsewhere
   CHECK_THAT(outcome.conflict->failure.sentence(), Catch::Contains("bottom-out would begin elsewhere"));
 }
 
-// 5 mm times what the travel grows by may be a rounding error more than the travel: these values hit that.
+// These values hit a case where 5 mm times the growth of the travel is a rounding error more than the
+// travel.
 TEST_CASE("damping ends with the travel, whatever that is rounded to") {
   const std::vector<Sample> all = samples();
   const auto push = std::ranges::find_if(all, [](const Sample& each) { return each.name == "push"; });

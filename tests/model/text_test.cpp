@@ -18,7 +18,7 @@ TEST_CASE("letters of the alphabet alone become small") {
   CHECK(lowered("AZaz09 \xC3\x84[@") == "azaz09 \xC3\x84[@");
 }
 
-TEST_CASE("UTF-8 is told from other bytes") {
+TEST_CASE("UTF-8 is distinguished from other bytes") {
   for (const char* text :
        {"", "plain", "\xC3\xA4", "\xE2\x82\xAC", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF", "a\xF0\x9F\x94\x98z"})
     CHECK(isUtf8(text));

@@ -50,7 +50,7 @@ TEST_CASE("exchanged strokes are noticed, with the worst place") {
              Catch::Contains("release curve, ") && Catch::Contains("above the press curve"));
 }
 
-TEST_CASE("walls a hair apart are no crossing") {
+TEST_CASE("bottom-outs a hair apart are no crossing") {
   const Button button = withGraph(validCurveThrough({{0, 0.3}, {4, 0.6}, {4, 2}}),
                                   validCurveThrough({{0, 0.2}, {3.97, 0.5}, {4, 2}}));
   CHECK(rulesOf(button) == std::vector<Rule>{});

@@ -30,11 +30,11 @@ class Version(unittest.TestCase):
         for name in programs():
             run = subprocess.run([BIN / name, "--version"], capture_output=True, text=True)
             self.assertEqual((run.returncode, run.stdout, run.stderr), (0, f"{name} {project}\n", ""))
-        released = xml.parse(ROOT / "editor/desktop/org.detent.edit.metainfo.xml").find("releases/release").get("version")
-        self.assertEqual(released, project)
+        released = xml.parse(ROOT / "editor/desktop/org.detent.edit.metainfo.xml").find("releases/release")
+        self.assertEqual(released.get("version"), project)
         self.assertTrue((ROOT / "docs/package/debian/changelog").read_text().startswith(f"detent ({project}-"))
         changelog = (ROOT / "CHANGELOG.md").read_text()
-        self.assertIn(f"\n## {project} (", changelog)
+        self.assertIn(f"\n## {project} ({released.get('date')})\n", changelog)
         newest = changelog.split("\n## ")[1]
         self.assertTrue(newest.startswith(("Unreleased\n", f"{project} (")), "CHANGELOG.md begins with neither this version nor Unreleased")
 

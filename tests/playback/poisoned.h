@@ -67,8 +67,8 @@ inline void poisonAbsent(playback::ForceStateTable& table, bool locks) {
     if (i >= table.rowCount) poison({&row.press_N, &row.release_N, &row.stored_mJ});
     if (i >= table.rowCount || !table.damped) poison({&row.damping_Ns_per_mm});
     if (i >= table.rowCount || !locks) poison({&row.pending_N, &row.pendingStored_mJ});
-    // With one curve for both ways the release is what the energy behind the end is counted from, nothing
-    // else.
+    // With one curve for both directions, the release only serves as the origin of the energy beyond the
+    // end.
     if (!table.hysteresis && i + 1 != table.rowCount) poison({&row.release_N});
   }
   if (!locks) poison({&table.rest_mm, &table.operating_mm});

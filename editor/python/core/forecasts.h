@@ -25,7 +25,7 @@ std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& can
 std::string performanceOf(const std::vector<Button>& buttons, const std::optional<double>& operateAt_mm,
                           const Cancelled& cancelled);
 
-/// The button at `share` of the way (empty: as far from either), and what is said of it.
+/// The button at `share` of the way (empty: the perceptual middle), and a sentence on its place.
 std::pair<Button, std::string> buttonBetween(const Button& from, const Button& to,
                                              const std::optional<double>& share, const Cancelled& cancelled);
 

@@ -17,7 +17,7 @@ struct Refused {
   int code = 1;                       ///< the programs' exit code
   std::string sentence;               ///< as the program says it
   std::vector<std::string> remedies;  ///< one for each, likeliest first
-  std::string reportJson;             ///< what the program prints with --json; empty where it prints none
+  std::string reportJson;             ///< the program's output with --json; empty if there is none
 
   static Refused from(const Failure& failure, std::string reportJson = {});
 };

@@ -235,7 +235,7 @@ class Comparison {
     }
   }
 
-  /// Of a self-locking button the state that differs more clearly.
+  /// Forecast for two buttons; of self-locking ones, that of the state that differs more clearly.
   PredictedPair pair(std::size_t a, std::size_t b) const {
     const std::size_t states = std::max(buttons_[a].size(), buttons_[b].size());
     PredictedPair clearest;

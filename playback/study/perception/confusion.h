@@ -53,10 +53,10 @@ struct PredictedPair {
   double shareOfErrors = 0.5;       ///< [0, 0.5]
   double leastShareOfErrors = 0,    ///< counted in 90 trials: 5 % of pairs of this d' have fewer,
       mostShareOfErrors = 0.5;      ///< and 5 % have more
-  double probabilityApart = 0;      ///< of at most one error in ten
+  double probabilityApart = 0;      ///< probability of at most one error in ten
   StrokeDifference press, release;  ///< mean over the presses
   bool onPress = true;              ///< which stroke says more
-  Cue cue = Cue::strength;          ///< and by what
+  Cue cue = Cue::strength;          ///< and the cue that differs most
 
   double errorsPer90() const { return 90 * shareOfErrors; }
   double leastErrorsPer90() const { return 90 * leastShareOfErrors; }

@@ -25,7 +25,7 @@ struct Suggestion {
 };
 
 struct DesignHelpSettings {
-  double largestFactor = 4;  ///< and its inverse: what goes further is another button
+  double largestFactor = 4;  ///< of a lever, and its inverse: beyond it, it would be another button
   PerceptionSettings perception;
   ConfusionSettings confusion;
 };

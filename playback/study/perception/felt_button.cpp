@@ -14,9 +14,9 @@ namespace {
 
 constexpr double hold_s = 0.08;
 constexpr double releaseShare = 0.83;  // "releasing strokes are often faster than pressing strokes" (K&L)
-constexpr double rest_s = 0.02;        // standardPress begins with it
+constexpr double rest_s = 0.02;        // rest at the beginning of standardPress
 
-/// The surface's movement: what is played, shaped by the device's resonances.
+/// The surface's movement: the played samples, shaped by the device's resonances.
 std::vector<float> throughDevice(const std::vector<float>& samples, const DeviceProfile& device) {
   std::vector<double> moved(samples.begin(), samples.end());
   for (const Resonance& r : device.resonances) {

@@ -35,7 +35,7 @@ struct FeltStroke {
   double length_s = 0;         ///< of the finger's movement; it begins at sample 0
 };
 
-/// One press of the lengths above: what goes down, what comes up.
+/// One press of the lengths above, with its movements down and up.
 struct FeltPress {
   FeltStroke press, release;
 };

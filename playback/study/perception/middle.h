@@ -9,9 +9,9 @@
 namespace detent::playback {
 
 struct PerceptualMiddle {
-  double share = 0.5;  ///< of the way, as between() of model/blend.h takes it
+  double share = 0.5;  ///< share of the way, as between() of model/blend.h takes it
   Button button;
-  double dPrimeFrom = 0, dPrimeTo = 0;  ///< forecast, from it to either
+  double dPrimeFrom = 0, dPrimeTo = 0;  ///< forecast between the middle and either button
 
   /// The halves within 5 % of one another. Forecasts count whole grains, so a pair whose difference is one
   /// grain may have no such place.

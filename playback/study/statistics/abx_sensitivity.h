@@ -14,7 +14,8 @@ enum class AbxStrategy {
 /// Share of correct answers: 0.5 for d' = 0, approaching 1. `dPrime` >= 0.
 double shareCorrect(double dPrime, AbxStrategy strategy);
 
-/// The inverse. Shares up to 0.5 give 0; a share of 1 gives infinity, so use a bound of the share instead.
+/// The d' at which this share is expected. Shares up to 0.5 give 0; a share of 1 gives infinity, so use a
+/// bound of the share instead.
 double dPrimeOf(double shareCorrect, AbxStrategy strategy);
 
 }  // namespace detent::playback

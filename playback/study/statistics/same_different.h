@@ -11,8 +11,10 @@ namespace detent::playback {
 
 /// Counts of answers to trials with two different stimuli, and with one stimulus twice.
 struct SameDifferentCount {
-  std::size_t different = 0, hits = 0;    ///< of those, called different
-  std::size_t same = 0, falseAlarms = 0;  ///< of those, called different
+  /// trials with different stimuli, and how many of them were called different
+  std::size_t different = 0, hits = 0;
+  /// trials with equal stimuli, and how many of them were called different
+  std::size_t same = 0, falseAlarms = 0;
   friend bool operator==(const SameDifferentCount&, const SameDifferentCount&) = default;
 };
 

@@ -103,10 +103,10 @@ struct RecordedAnswer {
 struct ParticipantRecord {
   std::string participant;      ///< SITE-ID in a merged study
   std::string site;             ///< of a merged study; else empty
-  std::string program;          ///< program that began it
+  std::string program;          ///< program that began the record
   std::size_t begunBefore = 0;  ///< participants who began before
   std::size_t place = 0;        ///< see planTrials: as planned (study_plan.h), otherwise begunBefore
-  std::optional<ConsentDecision> consent;  ///< their latest agreement
+  std::optional<ConsentDecision> consent;  ///< latest agreement of the participant
   /// The reason why the journal cannot be used; then there is no plan and no answer.
   std::optional<Failure> damage;
   std::vector<Trial> plan;

@@ -382,7 +382,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task) {
     case StudyKind::matching:
       break;
     case StudyKind::sameDifferent:
-      return 20;  // half of them with the same button twice
+      return 20;  // half of the trials have the same button twice
     case StudyKind::threshold:
       return 60;
     case StudyKind::rating:

@@ -121,7 +121,7 @@ std::size_t usualTrials(StudyKind kind, TimingTask task = TimingTask::cue);
 /// One button of a study.
 struct StudyButton {
   std::string label;   ///< file name without .button.json; unique in the study
-  std::string sha256;  ///< of its file
+  std::string sha256;  ///< SHA-256 of the button's file
   Button button;
 };
 
@@ -147,7 +147,7 @@ struct Study {
   std::string name;     ///< name of the folder
   std::string sha256;   ///< of study.json
   std::string program;  ///< version that made it
-  int version = 0;      ///< of study.json; lists of trials depend on it
+  int version = 0;      ///< version of study.json's format; lists of trials depend on it
   StudyDesign design;
   std::vector<StudyButton> buttons;  ///< the given buttons, followed by one for each level
   std::vector<StudyLevel> levels;    ///< threshold: by reference, increasing

@@ -100,12 +100,12 @@ class Reader {
 };
 
 /// Names of a task's two figures, and the unit of a share.
-struct Words {
+struct TaskWords {
   FigureColumn place, spread;
   double placeFactor;
 };
 
-Words wordsOf(TimingTask task) {
+TaskWords taskWordsOf(TimingTask task) {
   const FigureColumn spread{"spread_percent", "spread, %", 2,
                             "standard deviation about that, in hundredths of the interval"};
   switch (task) {
@@ -195,7 +195,7 @@ void append(std::vector<FigureCell>& row, std::vector<FigureCell> more) {
 
 FigureTable laboratoryTable(TimingTask task, const std::vector<TimingCell>& cells,
                             const std::vector<std::vector<FittedPerson>>& fits, const Naming& naming) {
-  const auto [place, spread, factor] = wordsOf(task);
+  const auto [place, spread, factor] = taskWordsOf(task);
   FigureTable table{"laboratory", std::string("Timing, task ") + nameOf(task), "", {}, {}};
   addCellColumns(table, naming);
   for (const FigureColumn& column :
@@ -227,7 +227,7 @@ FigureTable laboratoryTable(TimingTask task, const std::vector<TimingCell>& cell
 
 FigureTable peopleTable(TimingTask task, const std::vector<TimingCell>& cells,
                         const std::vector<std::vector<FittedPerson>>& fits, const Naming& naming) {
-  const auto [place, spread, factor] = wordsOf(task);
+  const auto [place, spread, factor] = taskWordsOf(task);
   FigureTable table{"people",
                     "Timing of each participant",
                     "Presses are too few below " + std::to_string(leastPresses) + ".",

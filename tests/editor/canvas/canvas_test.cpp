@@ -119,7 +119,7 @@ void CanvasTest::manyKnotsMakeFewPoints() {
   const auto lines = curvePolylines(*curve, map, 0.2);
   QCOMPARE(lines.size(), std::size_t(1));
   QVERIFY2(lines[0].size() < 150, qPrintable(QString::number(lines[0].size())));
-  for (const CurvePoint& p : points) {  // and none of them is missed
+  for (const CurvePoint& p : points) {  // no point is missed
     const QPointF at = map.toPixel(p.displacement_mm, p.force_N);
     double nearest = 1e9;
     for (qsizetype i = 0; i + 1 < lines[0].size(); ++i) {
@@ -187,7 +187,7 @@ void CanvasTest::pageLiesUnderTheAxes() {
   };
   QVERIFY(rig.canvas().hasUnderlay());
   for (const double zoom : {1.0, 3.0, 0.5}) {
-    rig.canvas().zoomAt(rig.pixel(1, 0.8), zoom, zoom);  // around the block
+    rig.canvas().zoomAt(rig.pixel(1, 0.8), zoom, zoom);  // zooms at the middle of the block
     QCoreApplication::processEvents();
     // The block spans ±0.1 mm and ±0.04 N around (1, 0.8).
     QVERIFY(redAt(0.95, 0.82) && redAt(1.05, 0.78));
@@ -295,7 +295,7 @@ void CanvasTest::wordsOfANoteLeaveItsNumberFree() {
     const QImage image = canvas.grab().toImage();
     const double force_N = rig.document.graph().press().force_N(1.3);
     const QPointF flag = canvas.mapping().toPixel(1.3, force_N) - QPointF(0, 46);
-    int dark = 0;  // of the ring around the number
+    int dark = 0;  // dark pixels of the ring around the number
     for (int degrees = 0; degrees < 360; degrees += 30) {
       const double angle = degrees * 3.14159265 / 180;
       const QPoint at = (flag + 8 * QPointF(std::cos(angle), std::sin(angle))).toPoint();
@@ -354,7 +354,7 @@ void CanvasTest::unitsScatterAsABandBehindTheirMean() {
   QCOMPARE(with.pixelColor(mean.toPoint()), before.pixelColor(mean.toPoint()));  // the curve lies over it
   const QImage picture = canvas.renderImage({700, 500}, 1);
   canvas.showSpread({});
-  QVERIFY(canvas.renderImage({700, 500}, 1) != picture);  // for others too
+  QVERIFY(canvas.renderImage({700, 500}, 1) != picture);  // exported pictures show the spread, too
 }
 
 void CanvasTest::jumpIsAVerticalLine() {

@@ -96,7 +96,7 @@ TEST_CASE("Settings of the view tell of a change once, and only of a change") {
   CHECK(settings.snap().toGrid);
 }
 
-TEST_CASE("A document that goes with unsaved changes tells nobody, as it has no title any more") {
+TEST_CASE("A document that is closed with unsaved changes emits no change of its title") {
   int titles = 0;
   QObject listener;
   {

@@ -27,7 +27,7 @@ Button stronger(const Button& button, double factor) {
 
 }  // namespace
 
-TEST_CASE("Undo restores exactly, redo repeats exactly, over any walk") {
+TEST_CASE("Undo restores exactly, redo repeats exactly, over any sequence of edits") {
   const Button first = start();
   EditHistory history(first);
   std::vector<Button> states{first};

@@ -64,7 +64,8 @@ struct Rig {
     pad->setFocus();
     QTest::keyPress(pad, Qt::Key_Space);
     QTest::qWait(hold_ms);
-    static_cast<void>(QTest::qWaitFor([this] { return deepest_mm >= 4; }, 2000));  // however busy the machine
+    static_cast<void>(
+        QTest::qWaitFor([this] { return deepest_mm >= 4; }, 2000));  // waits, however busy the machine is
     QTest::keyRelease(pad, Qt::Key_Space);
   }
   bool sounding() { return status().contains("48 kHz"); }
@@ -183,7 +184,8 @@ class FeelLiveTest : public QObject {
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY(play->text().contains("Stop"));
     QTest::mouseClick(play, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!rig.session.player().samplesPlaying(), 500);  // of a second that it lasts
+    // much shorter than the second that the sound lasts
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.session.player().samplesPlaying(), 500);
   }
 
   void forceAndVibrationComeFromOnePress() {

@@ -258,7 +258,7 @@ class FeelPanelTest : public QObject {
     QCOMPARE(rig.session.feltDocument(), &rig.a);
     QTest::mouseClick(rig.part<QToolButton>("feelB"), Qt::LeftButton);
     QCOMPARE(rig.session.feltDocument(), &rig.b);
-    rig.session.setDocument(FeelSide::b, nullptr);  // back to what is left
+    rig.session.setDocument(FeelSide::b, nullptr);  // A is pressed again, because B is gone
     QCOMPARE(rig.session.feltDocument(), &rig.a);
   }
 
@@ -270,7 +270,7 @@ class FeelPanelTest : public QObject {
     QTest::keyPress(rig.pad(), Qt::Key_Space);
     QTRY_VERIFY(rig.deepest() > 3.9);
     QTest::keyClick(rig.pad(), Qt::Key_X);
-    QVERIFY(rig.atRest());  // A's point is gone
+    QVERIFY(rig.atRest());  // the finger's point on A is not shown any more
     QTRY_VERIFY(!rig.otherFinger.empty() && rig.otherFinger.back() &&
                 rig.otherFinger.back()->displacement_mm > 3.9);
     QTest::keyRelease(rig.pad(), Qt::Key_Space);
@@ -333,7 +333,7 @@ class FeelPanelTest : public QObject {
     {
       ButtonDocument brief(tactileButton());
       rig.session.setDocument(FeelSide::a, &brief);
-      QTest::keyPress(rig.pad(), Qt::Key_Space);  // perhaps before the program is there
+      QTest::keyPress(rig.pad(), Qt::Key_Space);  // the program may not be computed yet
       QTest::qWait(60);
     }
     QCOMPARE(rig.session.feltDocument(), nullptr);
@@ -413,7 +413,7 @@ class FeelPanelTest : public QObject {
             rig.session.reference()->peak < 0.64);  // intensity 0.8, squared, falling
     QVERIFY(rig.part<QLabel>("referenceNote")->text().isEmpty());
 
-    // Undo is the button's alone.
+    // Undo concerns the button alone.
     QVERIFY(!rig.a.history().stack().canUndo());
     const Result<Button> louder = scaleForce(rig.a.button(), 1.5);
     QVERIFY(louder);
@@ -499,7 +499,7 @@ class FeelPanelTest : public QObject {
     rig.pad()->setFocus();
     QTest::keyClick(rig.pad(), Qt::Key_R);
     QTRY_VERIFY(rig.status().contains("no sound output is there"));
-    rig.pressToTheEnd();  // what could not be played does not hold the button
+    rig.pressToTheEnd();  // a refused playback does not hold the button
     QCOMPARE(rig.deepest(), 4.0);
     QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
     QTRY_VERIFY(!play->isEnabled());
@@ -512,7 +512,7 @@ class FeelPanelTest : public QObject {
     QVERIFY(play->isEnabled());
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY(rig.status().contains("no sound output is there"));
-    rig.pressToTheEnd();  // what could not be played does not hold the button
+    rig.pressToTheEnd();  // a refused playback does not hold the button
     QCOMPARE(rig.deepest(), 4.0);
     QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
     QTRY_VERIFY(!play->isEnabled());
@@ -593,7 +593,7 @@ class FeelPanelTest : public QObject {
   }
 
   void theForceSetupShowsWhatTheDeviceHas() {
-    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device may render
+    Rig rig(*scaleForce(tactileButton(), 3));  // the button's drop is steeper than any device may render
     rig.open();
     rig.panel.restoreState({{"setupShown", true}});
     auto* device = rig.part<QComboBox>("forceDevice");
@@ -617,7 +617,7 @@ class FeelPanelTest : public QObject {
   }
 
   void forceIsWatchedAndMadeStable() {
-    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device may render
+    Rig rig(*scaleForce(tactileButton(), 3));  // the button's drop is steeper than any device may render
     rig.open();
     rig.panel.restoreState({{"forceDevice", "sim:falcon"}, {"sound", false}});
     auto* meter = rig.part<QWidget>("forceMeter");

@@ -90,7 +90,7 @@ class FeelPartsTest : public QObject {
     QCOMPARE(second.program->program.states[0].end_mm, first.program->program.states[1].end_mm);
     QCOMPARE(second.program->program.states[1].end_mm, first.program->program.states[0].end_mm);
     QVERIFY(first.samples != second.samples);
-    request.firstState = 7;  // of a button that had more states
+    request.firstState = 7;  // state of a former button with more states
     QCOMPARE(pressSignalOf(request).firstState, std::size_t(0));
   }
 
@@ -228,7 +228,8 @@ class FeelPartsTest : public QObject {
     strip.addEvents(events, 5, 48000);
     QCOMPARE(strip.eventCount(), std::size_t{20});
     strip.addMoment({5 + PressStrip::span_s, 0, false, false});
-    QCOMPARE(strip.eventCount(), std::size_t{11});  // those of the last 0.1 s before the oldest drawn moment
+    // the events of the last 0.1 s before the oldest drawn moment stay
+    QCOMPARE(strip.eventCount(), std::size_t{11});
     strip.addMoment({20, 0, false, false});
     QCOMPARE(strip.eventCount(), std::size_t{0});
   }

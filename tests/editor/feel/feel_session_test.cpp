@@ -91,7 +91,7 @@ class FeelSessionTest : public QObject {
     rig.session.setDocument(FeelSide::a, nullptr);
     QCOMPARE(rig.session.feltDocument(), &rig.b);
     QCOMPARE(rig.session.feltSide(), FeelSide::b);
-    rig.session.exchange();  // nothing is there
+    rig.session.exchange();  // no button is loaded
     QCOMPARE(rig.session.feltSide(), FeelSide::b);
   }
 

@@ -26,7 +26,7 @@ PadButton someButton() {
   return button;
 }
 
-/// The pad in a window, and what it says.
+/// The pad in a window, with the signals it emits.
 struct Rig {
   ViewSettings settings;
   PressPad pad{settings};
@@ -115,7 +115,7 @@ class PressPadTest : public QObject {
   void keysPressAndRepeatsAreIgnored() {
     QFETCH(int, key);
     Rig rig;
-    rig.pad.setDrive(Drive::depth);  // keys press by time all the same
+    rig.pad.setDrive(Drive::depth);  // keys press by time with every drive
     QTest::keyPress(&rig.pad, static_cast<Qt::Key>(key));
     for (int i = 0; i < 5; ++i) {
       QKeyEvent up(QEvent::KeyRelease, key, Qt::NoModifier, {}, true);

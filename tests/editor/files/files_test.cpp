@@ -56,7 +56,7 @@ class FilesTest : public QObject {
     QCOMPARE(*inputKindOf(at("curve.csv")), InputKind::curveCsv);
     writeFile(at("without-ending"), "  {\"format\": \"detent-button\"}");
     QCOMPARE(*inputKindOf(at("without-ending")), InputKind::button);
-    // Projects of digitizers are JSON, too, and go to the import; cut off, they say so there.
+    // Projects of digitizers are JSON, too, and go to the import, which reports that this one is cut off.
     writeFile(at("project.wpd.json"), "{\"version\":[4,2],\"axesColl\":[{\"name\":\"mm");
     QCOMPARE(*inputKindOf(at("project.wpd.json")), InputKind::page);
     writeFile(at("other.json"), "{\"format\": \"detent-button\", \"name\": \"\\\"axesColl\\\"\"}");
@@ -87,7 +87,7 @@ class FilesTest : public QObject {
     auto opened = openDocument(sample("../tests/model/file/fixtures/version-5.button.json"));
     QVERIFY(opened.ok());
     ButtonDocument& document = **opened;
-    document.setAnnotations({});  // its pins and links would refuse the edit
+    document.setAnnotations({});  // the pins and links would refuse the edit
     const Button before = document.button();
     QCOMPARE(before.states()[0].otherSpeeds.size(), std::size_t(2));
     const auto edited = editGraph(before, 0, [](const ForceGraph& graph) {

@@ -160,7 +160,8 @@ class RecoveryTest : public QObject {
       RecoveryStore second(folder_->path());
       QVERIFY(second.leftBehind().isEmpty());
     }
-    RecoveryStore later(folder_->path());  // neither recovered nor discarded: offered again
+    RecoveryStore later(
+        folder_->path());  // neither recovered nor discarded, so the next editor offers it again
     QCOMPARE(later.leftBehind().size(), 1);
   }
 

@@ -223,7 +223,7 @@ class BatchTest : public QObject {
     rig.dialog->close();
     QVERIFY(!rig.running());
     rig.dialog->start(rig.files);
-    rig.dialog.reset();  // with imports at work
+    rig.dialog.reset();  // closed while imports run
   }
 
   void aFolderGivesItsSheetsInOrder() {

@@ -20,7 +20,7 @@ const FrameCorners upright{{{100, 50}, {300, 50}, {300, 250}, {100, 250}}};
 
 TEST_CASE("A place on an axis has a share of it, whichever way the graph lies") {
   CHECK(*shareAlong(GraphAxis::x, upright, {150, 250}) == Approx(0.25));
-  CHECK(*shareAlong(GraphAxis::y, upright, {100, 100}) == Approx(0.75));  // up the page
+  CHECK(*shareAlong(GraphAxis::y, upright, {100, 100}) == Approx(0.75));  // the y axis counts upwards
   // On its side: the graph's top left is the page's top right.
   const FrameCorners turned{{{300, 50}, {300, 250}, {100, 250}, {100, 50}}};
   CHECK(*shareAlong(GraphAxis::x, turned, {100, 100}) == Approx(0.25));
@@ -169,7 +169,7 @@ TEST_CASE("What the importer says is put in the words of someone before the page
   CHECK(doubt.remedies.size() == 3);
 }
 
-TEST_CASE("Findings are told in the units shown and in the person's number style") {
+TEST_CASE("Findings are worded in the units shown and in the person's number style") {
   const importer::Remark preload{importer::RemarkCode::preloadTakenOff, {newtons(0.5)}};
   const QString inGrams = inWords(preload, {LengthUnit::inch, ForceUnit::gramForce});
   INFO(inGrams.toStdString());
@@ -235,7 +235,7 @@ TEST_CASE(
     CHECK(page.contains(taken[i]));
     for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(taken[i].intersects(taken[j]));
   }
-  std::vector<QRectF> full{{0, 0, 200, 150}};  // no room but at the lower edge
+  std::vector<QRectF> full{{0, 0, 200, 150}};  // only the lower edge has room
   freePlace({100, 140}, words, true, page, full);
   CHECK(full.back().top() >= 150);
 }

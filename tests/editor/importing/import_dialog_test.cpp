@@ -147,7 +147,7 @@ class ImportDialogTest : public QObject {
   }
   static bool again(ImportState& state) {
     const bool done = QTest::qWaitFor([&] { return settled(state); }, patience_ms);
-    QTest::qWait(1);  // what is shown follows the answer
+    QTest::qWait(1);  // the view is updated after the answer
     return done;
   }
   static const importer::ImportReport& report(const ImportState& state) {
@@ -237,7 +237,7 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
   const double travel_mm = report(state).button.states().front().graph.travel_mm();
   QVERIFY(report(state).seconds.count(importer::ImportStep::trace));
   Corrections next = state.current()->history.now();
-  next.x.min = 0, next.x.max = 9;  // twice the truth
+  next.x.min = 0, next.x.max = 9;  // twice the true range
   state.apply(next, "Displacement range");
   QVERIFY(again(state));
   QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - 2 * travel_mm) <
@@ -251,7 +251,7 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
   state.undo();
   QVERIFY(again(state));
   QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - travel_mm) < 1e-9);
-  QVERIFY(!report(state).seconds.count(importer::ImportStep::axes));  // what was found was kept
+  QVERIFY(!report(state).seconds.count(importer::ImportStep::axes));  // the axes were kept, not read again
 }
 
 void ImportDialogTest::oneMisreadTickIsRetyped() {
@@ -273,7 +273,7 @@ void ImportDialogTest::oneMisreadTickIsRetyped() {
   QVERIFY(!state.working());
   QTest::qWait(1);
   editor = view.findChild<QLineEdit*>("tickValue");
-  QVERIFY(editor);  // it waits for a number
+  QVERIFY(editor);  // the field waits for a number
   editor->setText(QString::number(2 * value));
   QTest::keyClick(editor, Qt::Key_Return);
   QVERIFY(again(state));
@@ -594,7 +594,7 @@ void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
   QVERIFY2(std::abs(corners[3].x - 100) < 1.5 && std::abs(corners[3].y - 500) < 1.5,
            qPrintable(QString("%1, %2").arg(corners[3].x).arg(corners[3].y)));
   QVERIFY(again(state));
-  QVERIFY(state.current()->last->failure);  // numbers are missing, and that is said
+  QVERIFY(state.current()->last->failure);  // an error says that numbers are missing
   QVERIFY(dialog.banner->isVisible());
   keepPicture(dialog, "no-numbers");
   for (const auto& [field, value] : {std::pair("xMin", "0"), {"xMax", "4"}, {"yMin", "0"}, {"yMax", "120"}}) {
@@ -644,8 +644,7 @@ void ImportDialogTest::whileAGraphIsReadNothingSaysThereIsNone() {
   QVERIFY(!saidWhileRead);
 }
 
-// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does
-// not name, are not.
+// The file filter shows every sample sheet, whatever the case of its ending, and no button files.
 void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
   const QString filter = importFilters().front();
   const QString patterns = filter.section('(', -1).section(')', 0, 0);
@@ -678,7 +677,7 @@ void ImportDialogTest::theLastGoodResultStays() {
   QCOMPARE(state.current()->good, good);
   QSignalSpy accepted(&state, &ImportState::accepted), stopped(&state, &ImportState::acceptStopped);
   state.acceptAll();
-  QCOMPARE(accepted.count(), 0);  // what is shown is not what is set
+  QCOMPARE(accepted.count(), 0);  // the shown result is not yet that of the settings
   QCOMPARE(stopped.count(), 1);
   state.undo();
   QVERIFY(again(state));
@@ -701,7 +700,7 @@ void ImportDialogTest::aDoubtedNumberNamesItsCause() {
   const auto* number = dialog.findChild<QLabel*>("confidence");
   QVERIFY(number && number->text().contains('%'));
   const int below_px = cause->mapTo(&dialog, QPoint()).y() - number->mapTo(&dialog, QPoint()).y();
-  QVERIFY(below_px > 0 && below_px < 4 * number->height());  // beside the number it explains
+  QVERIFY(below_px > 0 && below_px < 4 * number->height());  // the text stands beside the number it explains
 }
 
 // A box that ends at 3.5 mm, while the axis and the curve go on to 4.
@@ -802,7 +801,7 @@ void ImportDialogTest::ofSeveralSwitchesOneIsChosen() {
 
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  QVERIFY(dialog.banner->isVisible() && list->isVisible());  // another one can still be chosen
+  QVERIFY(dialog.banner->isVisible() && list->isVisible());  // another graph can still be chosen
   QVERIFY(dialog.banner->text().contains("2 switches"));
   QCOMPARE(list->currentRow(), 1);
   keepPicture(dialog, "switch-chosen");
@@ -864,7 +863,7 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QTest::mouseMove(&view, (from + to) / 2);
   QTest::mouseMove(&view, to);
   QVERIFY(view.hasPreview());
-  QVERIFY(!state.working());  // nothing is computed before the hand lets go
+  QVERIFY(!state.working());  // nothing is computed during the drag
   QTest::keyClick(&view, Qt::Key_Escape);
   QVERIFY(!view.hasPreview());
   QVERIFY(!state.current()->history.canUndo());
@@ -884,13 +883,14 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QVERIFY(frame);
   const double scale = std::abs(view.pageToWidget().m11());
   QVERIFY(std::abs((*frame)[1].x - (corners[1].x - 30 / scale)) < 2 / scale);
-  for (const std::size_t other : {0u, 2u, 3u}) QCOMPARE((*frame)[other], corners[other]);  // it goes freely
+  // one corner moves alone
+  for (const std::size_t other : {0u, 2u, 3u}) QCOMPARE((*frame)[other], corners[other]);
   keepPicture(view, "implied-grid");
   state.undo();
   QVERIFY(again(state));
   QVERIFY(drag(Qt::ControlModifier));
   frame = state.current()->history.now().frame;
-  QCOMPARE((*frame)[2].x, (*frame)[1].x);  // it stays a rectangle
+  QCOMPARE((*frame)[2].x, (*frame)[1].x);  // with Ctrl the frame stays a rectangle
   QCOMPARE((*frame)[0].y, (*frame)[1].y);
   QCOMPARE((*frame)[3], corners[3]);
   state.undo();
@@ -928,7 +928,7 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
   QVERIFY(again(state));
   QCOMPARE(state.graphs().size(), found + 1);
   QVERIFY(!(state.current()->id == first));
-  QVERIFY(!state.graph(first)->history.canUndo());  // the one that was there is as it was
+  QVERIFY(!state.graph(first)->history.canUndo());  // the first graph is unchanged
   QVERIFY(state.current()->last->report);
   const GraphId added = state.current()->id;
   state.tickAll();
@@ -987,8 +987,8 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
                    press.end_mm()) < 0.02 * length);
 }
 
-// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is
-// ended.
+// A message appears while a curve is drawn: the page must not move under the pointer until the curve is
+// finished.
 void ImportDialogTest::thePageLiesStillUnderAGesture() {
   ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
@@ -1005,9 +1005,9 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   QTRY_VERIFY(dialog.view->height() < height);
   QVERIFY(QLineF(onDialog(), before).length() < 0.01);
   QTest::mouseRelease(dialog.view, Qt::LeftButton, {}, dialog.view->toWidget(page).toPoint());
-  QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // clicks go on
+  QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // the page stays while clicks go on
   QTest::keyClick(dialog.view, Qt::Key_Escape);
-  QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
+  QVERIFY(QLineF(onDialog(), before).length() > 1);  // the page fits its new room
 }
 
 namespace {
@@ -1096,7 +1096,7 @@ void ImportDialogTest::theFieldsOfAFallingAxisNameItsEndsByPlace() {
            qPrintable(QString::number(peaks[0].displacement_mm)));
 }
 
-// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old
+// An answer that arrives before the user types an end of an axis must not put the typed text behind the old
 // value.
 void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   ViewSettings settings;
@@ -1113,7 +1113,7 @@ void ImportDialogTest::aFieldInHandKeepsItsSelection() {
   QCOMPARE(max->selectedText(), all);
 }
 
-// Behind the last box nothing is left to scroll to, and nothing is squeezed for that.
+// The panel cannot be scrolled beyond its last box, and no box is squeezed.
 void ImportDialogTest::findingsEndWithTheirLastBox() {
   ViewSettings settings;
   ImportState state;
@@ -1214,7 +1214,7 @@ void ImportDialogTest::whatIsShownGivenAgainChangesNothing() {
 void ImportDialogTest::axisEndsAreTypedAlikeInEveryLanguage() {
   struct Typing {
     QString text;
-    std::optional<double> max_cN;  ///< none: refused, and as typed
+    std::optional<double> max_cN;  ///< none: the text is refused and stays as typed
   };
   const Typing typings[] = {{"120.5", 120.5},
                             {"120,5", 120.5},
@@ -1321,7 +1321,7 @@ void ImportDialogTest::aTickOfAFrameAskewStandsWhereItWasClicked() {
   }
 }
 
-// A screen of 1366x768 at twice the size leaves 683x384: what ends the work is still in reach.
+// A screen of 1366x768 at twice the size leaves 683x384: the buttons at the bottom must still be visible.
 void ImportDialogTest::theDialogueFitsSmallScreens() {
   ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
@@ -1377,7 +1377,7 @@ void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {
     const double travel_mm = report(state).button.states().front().graph.travel_mm();
     const auto corners = *view.shownCorners();
     const QPointF top = view.toWidget(corners[1]) - view.toWidget(corners[0]);
-    QVERIFY(top.x() > 100 && std::abs(top.y()) < 2);  // it is shown upright
+    QVERIFY(top.x() > 100 && std::abs(top.y()) < 2);  // the page is shown upright
     Corrections next = state.current()->history.now();
     next.frame = corners;
     state.apply(next, "Move plot frame");

@@ -232,7 +232,7 @@ class LibraryTest : public QObject {
     QTest::qWait(80);
   }
 
-  /// 1366 x 768 at scale 2: six buttons scroll, and what is done with them stays in reach.
+  /// 1366 x 768 at scale 2: six buttons scroll, and their controls stay visible.
   void sixAreComparedOnASmallScreen() {
     ViewSettings settings;
     ButtonDocument a(*tactileButton()), b(*linearButton());
@@ -257,8 +257,8 @@ class LibraryTest : public QObject {
     QVERIFY(dialog.findChild<QWidget*>("comparePlot")->height() >= 100);
   }
 
-  /// Where there is little room: long names are shortened, the first two buttons stand side by side, numbers
-  /// of axes apart.
+  /// With little room long names are shortened, the first two buttons stand side by side, and numbers of
+  /// axes keep their distance.
   void aSmallScreenShowsBothSidesByTheirNames() {
     ViewSettings settings;
     const auto named = [](const Button& button, const char* name) {
@@ -296,7 +296,7 @@ class LibraryTest : public QObject {
       };
       QTRY_VERIFY2(apart() >= line_px, qPrintable(QString::number(apart())));
     }
-    dialog.resize(1600, 900);  // with room, whole names
+    dialog.resize(1600, 900);  // a wide window shows whole names
     QTRY_VERIFY(plot->plottable(0)->name() == "CPG151101D283_Polia_Switch_with_a_long_name");
   }
 
@@ -323,10 +323,10 @@ class LibraryTest : public QObject {
     auto* plot = panel.findChild<ComparePlot*>();
     const int curves = plot->plottableCount();
     panel.findChild<QToolButton*>("compareDifference")->click();
-    QCOMPARE(plot->plottableCount(), curves + 4);  // press and release of each other
+    QCOMPARE(plot->plottableCount(), curves + 4);  // press and release differences of both other buttons
     const auto* of = qobject_cast<QCPGraph*>(plot->plottable(curves + 2));
     QVERIFY(of && of->data()->size() > 100);
-    for (const QCPGraphData& point : *of->data())  // c is twice a: it has a's own force more
+    for (const QCPGraphData& point : *of->data())  // c is twice a, so the difference is a's own force
       QVERIFY(std::abs(point.value - 100 * a.graph().press().force_N(point.key)) < 1e-6);
     panel.findChild<QToolButton*>("compareDifference")->click();
     QCOMPARE(plot->plottableCount(), curves);

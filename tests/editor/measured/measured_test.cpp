@@ -98,7 +98,8 @@ class MeasuredTest : public QObject {
       const auto first = table.switches()[table.shown()[0]].figures[KeyFigure::peakForce];
       const auto second = table.switches()[table.shown()[40]].figures[KeyFigure::peakForce];
       QVERIFY(order == Qt::AscendingOrder ? *first < *second : *first > *second);
-      QVERIFY(!table.switches()[table.shown().back()].figures[KeyFigure::peakForce]);  // none: last in either
+      QVERIFY(!table.switches()[table.shown().back()]
+                   .figures[KeyFigure::peakForce]);  // switches without the figure come last in either order
     }
     table.sort(-1);
     table.rankBy(table.switches()[17].shape);
@@ -132,7 +133,7 @@ class MeasuredTest : public QObject {
       all->switches.push_back(switchOf("dome", start_N, 0.2, 3.6));
       all->switches.back().unit = start_N < 0.51 ? "1" : "2";
       all->switches.back().sigmas[KeyFigure::peakForce] = 0.012;
-      all->switches.back().sigmas[KeyFigure::drop] = 1e-7;  // below what is shown
+      all->switches.back().sigmas[KeyFigure::drop] = 1e-7;  // error below the shown digits
     }
     all->map = importer::feelMapOf(all->switches);
     MeasuredTable table;
@@ -171,7 +172,7 @@ class MeasuredTest : public QObject {
     const auto a = switchOf("a", 0.4, 0, 3.0), b = switchOf("b", 0.6, 0, 3.5);
     QVERIFY(scatterOf({&a.shape}).empty());
     const auto scatter = scatterOf({&a.shape, &b.shape});
-    QCOMPARE(scatter.back().displacement_mm, 3.0);  // what both have
+    QCOMPARE(scatter.back().displacement_mm, 3.0);  // the range that both records have
     QVERIFY(std::abs(scatter.front().mean_N - 0.5) < 1e-6);
     QVERIFY(std::abs(scatter.front().sd_N - 0.2 / std::sqrt(2.0)) < 1e-6);
   }
@@ -322,7 +323,7 @@ class MeasuredTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 4, patience_ms);
     QCOMPARE(view_->model()->rowCount(), 4);
 
-    // Another version of the program meets the library: it is made anew from its folders, and that is said.
+    // A library of another program version is rebuilt from its folders, with a notice.
     {
       std::fstream file(folder.filePath("l.db").toStdString(),
                         std::ios::in | std::ios::out | std::ios::binary);
@@ -334,7 +335,7 @@ class MeasuredTest : public QObject {
     another.show();
     QTRY_COMPARE_WITH_TIMEOUT(shownThere.count(), 1, patience_ms);
     QCOMPARE(another.findChild<QTableView*>("measuredTable")->model()->rowCount(),
-             3);  // and the page, on request
+             3);  // the page is written on request, too
     const QString said = another.findChild<QLabel*>("measuredSaid")->text();
     QVERIFY2(said.contains("version 1"), qPrintable(said));
   }

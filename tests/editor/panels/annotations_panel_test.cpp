@@ -79,7 +79,7 @@ void AnnotationsPanelTest::notesStandOnTheCurveAndVersionsComeBack() {
   QTest::keyClick(text, Qt::Key_Return);
   QCOMPARE(rig.document.annotations().notes.size(), std::size_t(1));
   QCOMPARE(rig.document.annotations().notes[0].displacement_mm, 1.3);
-  QVERIFY(!(rig.canvas().grab().toImage() == before));  // it is drawn
+  QVERIFY(!(rig.canvas().grab().toImage() == before));  // the note is drawn
   auto* name = panel.findChild<QLineEdit*>("versionName");
   QTest::keyClicks(name, "first");
   QTest::keyClick(name, Qt::Key_Return);
@@ -150,7 +150,7 @@ void AnnotationsPanelTest::theOffsetOfferedIsThatOfTheStrokes() {
 
   rig.canvas().setSelected(tactile);
   for (int i = 0; i < 40; ++i) rig.key(Qt::Key_Up);
-  QVERIFY(offset->value() > offered_N);  // of the strokes as they are now
+  QVERIFY(offset->value() > offered_N);  // the offset of the present strokes
   panel.findChild<QCheckBox*>("linkRelease")->click();
   const double linked_N = offset->value();
   rig.document.history().apply(
@@ -166,7 +166,7 @@ void AnnotationsPanelTest::theOffsetOfferedIsThatOfTheStrokes() {
 // Undo in a field that holds nothing to take back is meant for the button.
 void AnnotationsPanelTest::undoInAnEmptyFieldIsTheButtons() {
   WorkspaceRig rig(require(tactileButton()));
-  rig.canvas().setSelected(tactile);  // where the note stands
+  rig.canvas().setSelected(tactile);  // displacement of the note
   AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
   const auto takes = [](QLineEdit& field, Qt::Key key) {
     QKeyEvent shortcut(QEvent::ShortcutOverride, key, Qt::ControlModifier);

@@ -83,7 +83,7 @@ class KeyFiguresPanelTest : public QObject {
   void namesStayBesideWhatIsKept();
 };
 
-// A narrow panel: who ticks what is kept sees what it is.
+// In a narrow panel the name of a ticked figure stays visible.
 void KeyFiguresPanelTest::namesStayBesideWhatIsKept() {
   WorkspaceRig rig(tactile());
   KeyFiguresPanel panel(rig.document, rig.settings);
@@ -155,7 +155,7 @@ void KeyFiguresPanelTest::whatIsKeptStays() {
 
 void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   WorkspaceRig rig(tactile());
-  QWidget window;  // with something that the keyboard could go to
+  QWidget window;  // a second field, to which the keyboard focus could move
   auto* column = new QVBoxLayout(&window);
   auto* held = new KeyFiguresPanel(rig.document, rig.settings);
   column->addWidget(held);
@@ -244,7 +244,7 @@ void KeyFiguresPanelTest::theWindowLivesWhileItSolves() {
   panel.show();
   KeyFiguresModel& model = panel.model();
   QVERIFY(model.setData(cell(model, KeyFigure::peakForce, KeyFiguresModel::now), "+5 %", Qt::EditRole));
-  QVERIFY(model.solving());  // given back before it is solved
+  QVERIFY(model.solving());  // the call returns before the request is solved
   QCOMPARE(rig.steps(), 0);
   QVERIFY(
       model.setData(cell(model, KeyFigure::totalTravel, KeyFiguresModel::wanted), "3.6 mm", Qt::EditRole));
@@ -322,7 +322,7 @@ void KeyFiguresPanelTest::eightFiguresComeFirst() {
   QCOMPARE(requested.size(), 1);
 }
 
-// A click and typed digits in every cell: only the figure of that row may change, and what cannot be set says
+// Clicks and types digits in every cell: only the figure of that row may change, and a refused value says
 // why.
 void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   using enum KeyFigure;
@@ -367,7 +367,7 @@ void KeyFiguresPanelTest::typingAfterAClickChangesThatCellOrNothing() {
   QVERIFY(model.absenceOf(cell(model, preTravel, KeyFiguresModel::now)).contains("Ctrl+Shift+O"));
   rig.document.history().apply(require(setOperatingPoint(rig.button(), 0, 1.6)), "operating point");
   QVERIFY(model.absenceOf(cell(model, preTravel, KeyFiguresModel::now)).isEmpty());
-  // Both columns have one set of rules: what one refuses, the other refuses, too.
+  // Both columns have the same rules: a value that one refuses, the other refuses, too.
   for (const char* text : {"-1 cN", "2 cN", "70 cN"}) {
     WorkspaceRig same(require(tactileButton()));
     KeyFiguresPanel bothStates(same.document, same.settings);
@@ -394,7 +394,7 @@ void KeyFiguresPanelTest::whatIsShownIsWhatCanBeTyped() {
           const QModelIndex at = model.index(row, KeyFiguresModel::now);
           const QString text = at.data(Qt::EditRole).toString();
           QVERIFY2(model.refusalOf(at, text).isEmpty(), qPrintable(text));
-          // The text that the cell offers for editing, given back unchanged, is no step.
+          // Returning the offered text unchanged makes no undo step.
           QVERIFY(model.setData(at, text, Qt::EditRole));
         }
         QCOMPARE(rig.steps(), 0);

@@ -149,7 +149,7 @@ void PanelsTest::refusedOperationSaysWhyAndWaits() {
 void PanelsTest::snapRatioIsReached() {
   WorkspaceRig rig(require(tactileButton()));
   OperationDialog* dialog = opened(rig, "operationSnapRatio");
-  QVERIFY(near(dialog->values()[1], 1 - 0.42 / 0.55, 1e-3));  // as it is
+  QVERIFY(near(dialog->values()[1], 1 - 0.42 / 0.55, 1e-3));  // the ratio of the present curve
   dialog->setValue(1, 0.5);
   accept(dialog);
   const auto& press = rig.canvas().values().press;
@@ -369,8 +369,8 @@ void PanelsTest::typingIntoACellThatCannotBeEditedChangesNothing() {
   QVERIFY(tried > 20);
 }
 
-// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden
-// table seemed to have.
+// The panel is made before it is shown, as a dock's panel is: names get the width that the numbers leave,
+// not that of a hidden table.
 void PanelsTest::namesTakeWhatTheNumbersLeave() {
   WorkspaceRig rig(require(twoLevelButton()));
   QWidget dock;
@@ -430,14 +430,14 @@ void PanelsTest::readValuesHaveTheDigitsTheirErrorLeaves() {
   ValuesModel& model = panel.model();
   const QModelIndex force = cell(model, tactile, ValuesModel::force);
   QCOMPARE(force.data().toString(), QString("55.7"));
-  QVERIFY(force.data(Qt::EditRole).toString().size() > 8);  // all of it is there to be edited
+  QVERIFY(force.data(Qt::EditRole).toString().size() > 8);  // all digits can be edited
   QVERIFY(model.setData(force, "56.1234", Qt::EditRole));
   QCOMPARE(force.data().toString(), QString("56.12"));  // typed: four digits, as everywhere
   QVERIFY(model.setData(cell(model, tactile, ValuesModel::displacement), "1.23456789", Qt::EditRole));
   QCOMPARE(cell(model, tactile, ValuesModel::displacement).data().toString(), QString("1.235"));
 }
 
-// Cells of the table and fields of a dialogue: what they show is typed back, and a number means the same.
+// Cells of the table and fields of a dialogue accept their own text, and a number keeps its meaning.
 void PanelsTest::everyFieldReadsTheSameInEveryLocaleAndUnit() {
   for (const char* locale : {"C", "de_DE", "fr_FR", "en_IN"})
     for (const LengthUnit length : {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch})
@@ -527,7 +527,7 @@ void PanelsTest::historyListJumps() {
   const Button first = rig.button();
   rig.click(rig.pixel(tactile));
   rig.key(Qt::Key_Up);
-  rig.key(Qt::Key_C);  // another kind of step
+  rig.key(Qt::Key_C);  // a step of another kind, which does not merge
   const Button last = rig.button();
   auto* view = panel.findChild<QUndoView*>("historyView");
   QCOMPARE(view->model()->rowCount(), rig.steps() + 1);
@@ -561,7 +561,7 @@ void PanelsTest::picturesAreDrawn() {
                fine = rig.workspace.renderImage({1600, 1200}, 2);
   QCOMPARE(plain.size(), QSize(800, 600));
   QCOMPARE(fine.devicePixelRatio(), 2.0);
-  // The press curve is on it, where the axes say.
+  // The pixel at the press curve's coordinates has the press colour.
   const QColor pressColor = rig.canvas().colors().press;
   int found = 0;
   for (int y = 0; y < 600; ++y)

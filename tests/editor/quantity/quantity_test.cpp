@@ -231,7 +231,7 @@ TEST_CASE("Any text is read or refused, never both, never without a word") {
   });
 }
 
-TEST_CASE("what no button has is asked about, with the unit that was meant") {
+TEST_CASE("a value that no button has is a question, with the unit that was meant") {
   const DisplayUnits newtons{LengthUnit::millimetre, ForceUnit::newton};
   const auto doubt = [&](const char* text, Quantity quantity) {
     return doubtOf(text, *readQuantity(text, quantity, newtons).value, quantity, newtons).toStdString();

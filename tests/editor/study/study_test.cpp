@@ -43,8 +43,8 @@ struct Finger {
   std::vector<std::size_t> pressed, context;
   // timing
   bool sensed = false;
-  bool stopped = false;  ///< of a force device
-  double ahead_s = 0;    ///< of the real clock
+  bool stopped = false;  ///< emergency stop of the force device
+  double ahead_s = 0;    ///< time by which this clock is ahead of the real one
   std::vector<playback::ContactClosing> closings;
   std::vector<double> beats_s;
 
@@ -102,7 +102,7 @@ struct Rig {
   QTemporaryDir folder;
   std::shared_ptr<Finger> finger = std::make_shared<Finger>();
   playback::StudyPlayerSettings requested;
-  std::optional<playback::ForceDeviceChoice> force;  ///< of Feel it
+  std::optional<playback::ForceDeviceChoice> force;  ///< device of "Feel it"
   ButtonDocument a{tactileButton()}, b{linearButton()};
   std::unique_ptr<ExperimenterDialog> dialog;
   QString study;
@@ -169,7 +169,7 @@ struct Rig {
 
 QPushButton* buttonIn(StudyWindow* window, const char* name) { return window->findChild<QPushButton*>(name); }
 
-/// Agrees and reads what is said first.
+/// Agrees to the consent and reads the instructions.
 void agree(StudyWindow* window) {
   if (buttonIn(window, "studyBegin")->isVisible()) QTest::keyClick(window, Qt::Key_Y);
   if (buttonIn(window, "studyContinue")->isVisible()) QTest::keyClick(window, Qt::Key_Return);
@@ -302,7 +302,7 @@ class StudyTest : public QObject {
     QVERIFY(window);
     QVERIFY(window->findChild<QLabel*>("studyBanner") == nullptr);
     QVERIFY(buttonIn(window, "studyBegin")->isVisible());
-    QTest::keyClick(window, Qt::Key_A);  // nothing is answered before it begins
+    QTest::keyClick(window, Qt::Key_A);  // no key answers before the trial begins
     QVERIFY(rig.records().empty());      // nor is anybody in a journal who has not agreed
     agree(window);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -396,7 +396,7 @@ class StudyTest : public QObject {
     agree(window);
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
-    QTest::keyClick(window, Qt::Key_Pause);  // as its button and P do
+    QTest::keyClick(window, Qt::Key_Pause);  // the Pause key does what the button and P do
     QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
     QTest::keyClick(window, Qt::Key_1);
     QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
@@ -423,7 +423,7 @@ class StudyTest : public QObject {
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
     buttonIn(window, "studyStop")->click();
-    QTest::keyClick(window, Qt::Key_1);  // no question is shown: nothing is felt
+    QTest::keyClick(window, Qt::Key_1);  // no question is shown, so no key presses a button
     QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
     buttonIn(window, "studyGoOn")->click();
     QVERIFY(window->findChild<QLabel*>("studyHint")->isVisible());
@@ -456,7 +456,7 @@ class StudyTest : public QObject {
     QTest::keyClick(window, Qt::Key_A);
     QVERIFY(rig.record().answers.empty());
     QTest::qWait(250);
-    QCOMPARE(rig.record().interruptions, std::size_t{1});  // once, however long it is away
+    QCOMPARE(rig.record().interruptions, std::size_t{1});  // counted once, however long the device is away
     rig.finger->lost = false;
     QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("connected again"));
     QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());  // anew
@@ -689,7 +689,7 @@ class StudyTest : public QObject {
         }
         if (scale == 1) {
           QTest::keyClick(window, Qt::Key_Space);
-          QTest::keyClick(window, Qt::Key_Return);  // no number yet
+          QTest::keyClick(window, Qt::Key_Return);  // Enter without a typed number does nothing
           QVERIFY(window->findChild<QLabel*>("studyTrouble")->isVisible());
           for (const Qt::Key key :
                {Qt::Key_7, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Comma, Qt::Key_5, Qt::Key_Enter})
@@ -718,7 +718,7 @@ class StudyTest : public QObject {
     QCOMPARE(rig.finger->beats_s.size(), std::size_t{4});
     QVERIFY(std::abs(rig.finger->beats_s[3] - rig.finger->beats_s[0] - 3 * 0.4) < 1e-9);
     const double cue_s = rig.finger->beats_s.back();
-    rig.finger->ahead_s += cue_s + 0.03;  // a little behind it
+    rig.finger->ahead_s += cue_s + 0.03;  // a little after the cue
     const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
     QTRY_COMPARE(picture->view().beatsCome, std::size_t{4});  // the window has looked since
     QTest::keyClick(window, Qt::Key_Space);
@@ -774,13 +774,13 @@ class StudyTest : public QObject {
     QVERIFY2(window != nullptr, qPrintable(rig.trouble()));
     agree(window);
     const auto* picture = static_cast<TimingPicture*>(window->findChild<QWidget*>("studyPicture"));
-    rig.finger->ahead_s += 30;  // nobody is hurried
+    rig.finger->ahead_s += 30;  // a trial has no time limit
     QTest::qWait(50);
     QVERIFY(rig.record().answers.empty() && picture->view().left_s == 3);
     for (int i = 0; i < 12; ++i) {
       QTest::keyClick(window, Qt::Key_Space);
       QKeyEvent held(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, " ",
-                     true);  // one that repeats is no press
+                     true);  // key repetition is no press
       QApplication::sendEvent(window, &held);
       rig.finger->ahead_s += 0.2;
     }
@@ -791,7 +791,7 @@ class StudyTest : public QObject {
     window->close();
   }
 
-  /// Of a machine that does not wake who waits, a stamp cannot be trusted to the millisecond.
+  /// On a machine that wakes waiting threads late, a time stamp is not exact to the millisecond.
   void aPressIsAsExactAsTheMachineIsPunctual() {
     Rig rig;
     rig.makeTimed(playback::TimingTask::cue, 1);
@@ -842,12 +842,12 @@ class StudyTest : public QObject {
     QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
     rig.finger->ahead_s += 10;
     QTest::qWait(50);
-    QCOMPARE(rig.record().interruptions, std::size_t{3});  // who pauses misses nothing
+    QCOMPARE(rig.record().interruptions, std::size_t{3});  // a pause is no interruption
     QTest::keyClick(window, Qt::Key_Return);
     rig.finger->lost = true;
     QTRY_VERIFY(trouble().contains("disconnected"));
     QTest::qWait(100);
-    QCOMPARE(rig.record().interruptions, std::size_t{4});  // once, however long it is away
+    QCOMPARE(rig.record().interruptions, std::size_t{4});  // counted once, however long the device is away
     rig.finger->lost = false;
     QTRY_VERIFY(trouble().contains("connected again"));
     QTest::keyClick(window, Qt::Key_Q);
@@ -872,7 +872,7 @@ class StudyTest : public QObject {
     rig.finger->ahead_s += 4;
     QTRY_VERIFY(rig.record().complete());
     const playback::Answer answer = rig.record().answers[0].answer;
-    QCOMPARE(answer.presses_s.size(), std::size_t{3});  // what came before the trial is none of it
+    QCOMPARE(answer.presses_s.size(), std::size_t{3});  // presses before the trial do not count
     QVERIFY(std::abs(answer.presses_s[2] - 0.4) < 1e-6);
     QCOMPARE(answer.pressWithin_s, 0.002);
     QVERIFY(QString::fromStdString(rig.record().sessions[0].route.timing->press).startsWith("sensor"));
@@ -888,7 +888,7 @@ class StudyTest : public QObject {
       else
         rig.makeStudy();
       rig.dialog->findChild<QCheckBox*>("studyForce")->setChecked(true);
-      QVERIFY(rig.begin() == nullptr);  // none is chosen
+      QVERIFY(rig.begin() == nullptr);  // no force device is chosen
       QVERIFY(!rig.trouble().isEmpty());
       rig.force = *playback::forceDeviceFrom("sim:rig");
       rig.finger->sensed = true;
@@ -937,13 +937,13 @@ class StudyTest : public QObject {
     QCOMPARE(study->design.intervals_s, std::vector<double>{0.7});
     QCOMPARE(study->design.trials, std::size_t{60});
     rig.dialog->showStudy(rig.study);
-    rig.answersBy(3);  // without an error: no such thing in timing
+    rig.answersBy(3);  // no share of errors, because timing studies have no wrong answer
     QVERIFY(rig.begin() == nullptr);
     QVERIFY2(rig.trouble().startsWith("Answers by: ") && rig.records().empty(), qPrintable(rig.trouble()));
     QVERIFY(!rig.trouble().contains("errors=P"));
   }
 
-  /// No option of the other program, whatever is wrong.
+  /// Errors name controls of the window, never options of the command-line program.
   void whatIsWrongIsNamedAsTheWindowDoes() {
     Rig rig;
     StudyMaker maker({&rig.a, &rig.b}, {});

@@ -130,7 +130,7 @@ void ToolsTest::aDimensionMovesItsContact() {
   QVERIFY(!rig.canvas().flagAt({rig.pixel(*rig.canvas().state().operatingPoint_mm, 0).x(), arrow.y()}));
 }
 
-// While it moves, the curve as it was stays in sight, and the status says what the keys do.
+// During a drag the previous curve stays visible, and the status bar explains the keys.
 void ToolsTest::aDragShowsWhatItChanges() {
   WorkspaceRig rig(require(tactileButton()));
   QSignalSpy said(&rig.workspace, &GraphWorkspace::statusMessage);
@@ -217,17 +217,17 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   QVERIFY(near(rig.canvas().values().press.tactile[0].force_N, 0.7, 1e-3));
   QVERIFY(rig.canvas().feedback().refused->why.contains("70"));  // in the units shown, cN
   rig.move(from + QPointF(5, 10));
-  rig.move(rig.pixel(3.99, 0.7));  // another way to the same place
+  rig.move(rig.pixel(3.99, 0.7));  // another path to the same place
   QVERIFY(rig.button() == limit);
   QVERIFY(rig.canvas().feedback().refused.has_value());
   QVERIFY(rig.canvas().feedback().refused->why.contains("outside its flanks"));
   QVERIFY(said.last().at(0).toString().contains("outside its flanks"));
-  rig.move(from + QPointF(14, -14));  // back where it may be
+  rig.move(from + QPointF(14, -14));  // back to an allowed place
   QVERIFY(!rig.canvas().feedback().refused.has_value());
   QVERIFY(said.last().at(0).toString().contains("Esc"));  // the hint of the drag
   rig.release(from + QPointF(14, -14));
   QCOMPARE(rig.steps(), 1);
-  // Where it stands now, not where it was taken.
+  // The message names the point's new place, not the place before the drag.
   const TactilePoint moved = rig.canvas().values().press.tactile[0];
   const Mark now{{MarkKind::tactilePoint, Stroke::press, 0}, {moved.displacement_mm, moved.force_N}};
   QCOMPARE(said.last().at(0).toString(), describe(now, rig.settings.units()));
@@ -291,7 +291,7 @@ void ToolsTest::slopeHandleTurnsBothSidesOfASmoothKnot() {
   const Knot now = rig.press().knots()[2];
   QVERIFY(now.slopeAfter_N_per_mm > 0);
   QCOMPARE(now.slopeBefore_N_per_mm, now.slopeAfter_N_per_mm);
-  // Past its knot a handle means nothing.
+  // A handle dragged past its knot has no slope to give.
   const auto turned = slopeHandlesOf(rig.press(), 2, rig.canvas().mapping());
   const Button before = rig.button();
   rig.press(*turned.after_px);
@@ -318,7 +318,8 @@ void ToolsTest::aDragOnASegmentBendsItBetweenItsKnots() {
         rig.canvas().setSelected({});
         rig.press(grab);
         const auto held = rig.canvas().selected();
-        if (!held || held->kind != MarkKind::section || held->stroke != stroke) {  // a mark lies above it
+        if (!held || held->kind != MarkKind::section ||
+            held->stroke != stroke) {  // a mark covers the section here
           rig.release(grab);
           continue;
         }
@@ -737,7 +738,7 @@ void ToolsTest::manyAreNudgedAndRemovedAsOneStep() {
   QCOMPARE(rig.steps(), 2);
   QCOMPARE(rig.press().knots().size(), knots.size() - 2);
   QVERIFY(rig.canvas().selection().empty());
-  // All of them cannot go; nothing happens, and it is said.
+  // Not all knots can be removed: nothing changes, and a message says so.
   rig.action("editSelectAll")->trigger();
   const Button left = rig.button();
   rig.key(Qt::Key_Delete);
@@ -760,7 +761,7 @@ void ToolsTest::aRectangleBecomesTheView() {
   QVERIFY(near(near_.left(), 1, 1e-9) && near(near_.right(), 2, 1e-9));
   QVERIFY(near(near_.top(), 0.2, 1e-9) && near(near_.bottom(), 0.6, 1e-9));
   rig.press(rig.pixel(1.2, 0.3));
-  QTest::keyClick(&rig.canvas(), Qt::Key_V);  // left in the middle of it
+  QTest::keyClick(&rig.canvas(), Qt::Key_V);  // the tool is left in the middle of a drag
   rig.release(rig.pixel(1.8, 0.5));
   QCOMPARE(rig.canvas().shownRange(), near_);
   rig.action("toolZoom")->trigger();
@@ -838,7 +839,7 @@ void ToolsTest::lostReleaseEndsTheDrag() {
   rig.press(from);
   rig.move(from + QPointF(10, -10));
   const Button dragged = rig.button();
-  rig.down = Qt::NoButton;  // released where the canvas does not hear it
+  rig.down = Qt::NoButton;  // the mouse is released outside the canvas
   rig.move(from + QPointF(60, -60));
   QVERIFY(!rig.workspace.tools().dragging());
   QVERIFY(rig.button() == dragged);

@@ -10,7 +10,7 @@ using namespace detent::tests;
 namespace {
 
 ProgramResult run(const std::vector<std::string>& arguments) {
-  // As in a terminal without a screen.
+  // environment of a terminal without a screen
   std::vector<std::string> words = {"-u", "DISPLAY",         "-u",       "WAYLAND_DISPLAY",
                                     "-u", "QT_QPA_PLATFORM", DETENT_EDIT};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -41,7 +41,7 @@ namespace {
 
 struct TypedUnit {
   const char* word;
-  double size;  ///< in mm, N, N/mm, N·s/mm; else 1
+  double size;  ///< mm, N, N/mm or N·s/mm in one unit; otherwise 1
 };
 
 std::vector<TypedUnit> unitsOf(Quantity quantity) {
@@ -147,7 +147,8 @@ class FieldsTest : public QObject {
     QStringList refused{"1,250.5", "1 250", "1'250", "about two", "5 +", "nan", "5 apples"};
     refused << (field.quantity() == Quantity::length ? "5 gf" : "5 mm");
     for (const QString& text : refused) {
-      // Pasted: what is typed is read letter by letter, and "1,250" on the way to "1,250.5" is a number.
+      // Pasted, because typed text is read letter by letter, and "1,250" on the way to "1,250.5" is a
+      // number.
       auto* edit = field.findChild<QLineEdit*>();
       edit->setText(text);
       emit edit->textEdited(text);
@@ -294,7 +295,7 @@ class FieldsTest : public QObject {
     QVERIFY(seen > 0);
   }
 
-  // Of many buttons the tabs scroll; none is left without a name.
+  // With many buttons the tabs scroll, and each keeps a readable name.
   void namesOfButtonsAreReadInTheirTabs() {
     ViewSettings settings;
     TabArea area(new WelcomePage({}), settings);
@@ -308,7 +309,7 @@ class FieldsTest : public QObject {
     const auto name_px = [&](int i) { return tabs.fontMetrics().horizontalAdvance(tabs.tabText(i)); };
     QTRY_VERIFY(tabs.tabRect(3).width() >= name_px(3));
     const int besideName_px =
-        tabs.tabRect(3).width() - name_px(3);  // the sign that closes it, and the margins
+        tabs.tabRect(3).width() - name_px(3);  // width of the close button and the margins
     area.resize(390, 250);
     QTRY_VERIFY(tabs.tabRect(3).width() - besideName_px < name_px(3));
     for (int i = 0; i < tabs.count(); ++i)

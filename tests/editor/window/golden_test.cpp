@@ -25,7 +25,7 @@ namespace {
 // Font rendering differs by a shade between machines; a moved or missing thing differs by much more.
 constexpr int channelTolerance = 40;
 constexpr double shareTolerance = 0.01;
-constexpr int patience_ms = 20000;  // for a forecast, however busy the machine is
+constexpr int patience_ms = 20000;  // for a forecast on a busy machine
 
 const QString goldenFolder = QStringLiteral(DETENT_SOURCE_DIR "/tests/editor/golden/");
 
@@ -98,7 +98,7 @@ class GoldenTest : public QObject {
     QTest::qWait(100);
     auto* forecast = dialog->findChild<QLabel*>("forecastWords");
     QTRY_VERIFY_WITH_TIMEOUT(!forecast->text().isEmpty(), patience_ms);
-    QTest::qWait(100);  // the words have their lines
+    QTest::qWait(100);  // lets the texts wrap
     check("compare-light", dialog->grab().toImage());
   }
 
@@ -122,7 +122,7 @@ class GoldenTest : public QObject {
     auto window = makeWindow(appearance);
     for (const char* file : files) window->files().open({sample(file)});
     if (files.size() > 1) window->findChild<QDockWidget*>("libraryDock")->show();
-    QTest::qWait(500);  // pictures of the library
+    QTest::qWait(500);  // waits for the pictures of the library
     if (files.size() > 1) {
       const auto* open = window->findChild<QListView*>("libraryOpenButtons")->model();
       QTRY_VERIFY_WITH_TIMEOUT(open->index(0, 0).data().toString().contains('\n'), patience_ms);

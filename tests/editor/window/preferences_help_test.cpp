@@ -75,7 +75,7 @@ class PreferencesHelpTest : public QObject {
     choose(dialog, "preferencesForce", "kgf");
     choose(dialog, "preferencesLength", "cm");
     QVERIFY(view.units() == (DisplayUnits{LengthUnit::centimetre, ForceUnit::kilogramForce}));
-    view.setUnits({LengthUnit::inch, ForceUnit::ounceForce});  // at the status bar
+    view.setUnits({LengthUnit::inch, ForceUnit::ounceForce});  // units chosen at the status bar
     QCOMPARE(dialog.findChild<QComboBox*>("preferencesForce")->currentText(), QString("ozf"));
     QCOMPARE(dialog.findChild<QComboBox*>("preferencesLength")->currentText(), QString("in"));
     choose(dialog, "preferencesTheme", "dark");
@@ -181,7 +181,7 @@ class PreferencesHelpTest : public QObject {
         QVERIFY2(picture, name);
         const QImage image = picture->pixmap().toImage();
         QVERIFY2(!seen.contains(image), name);
-        QVERIFY2(countOf(image, colors.refused) > 20, name);  // what the term means
+        QVERIFY2(countOf(image, colors.refused) > 20, name);  // the picture marks the term in this colour
         QVERIFY2(countOf(image, colors.background) > 1000, name);
         seen << image;
       }
@@ -189,7 +189,7 @@ class PreferencesHelpTest : public QObject {
       QApplication::setPalette(dark ? lightPalette() : darkPalette());
       QCoreApplication::processEvents();
       QVERIFY(glossary.findChild<QLabel*>("glossaryPeak")->pixmap().toImage() !=
-              seen[1]);  // follows the theme
+              seen[1]);  // pictures follow the theme
     }
     QApplication::setPalette(before);
   }

@@ -137,11 +137,11 @@ class UnaskedTest : public QObject {
             table->model()->setData(index, tick, Qt::CheckStateRole);
         }
     }
-    QTest::qWait(50);  // figures are solved beside the window
+    QTest::qWait(50);  // waits for key figures, which are solved on another thread
     isUnchanged(before, "a cell, a moment later,");
   }
 
-  /// Ticked and unticked again: neither changes the button, and the second restores what was noted.
+  /// Ticks and unticks every box: neither changes the button, and the second restores the first state.
   void visitTicks() {
     for (auto* box : window_->findChildren<QCheckBox*>()) {
       if (!box->isVisible() || !box->isEnabled() || isInDock(*box, "feelArea")) continue;
@@ -159,7 +159,7 @@ class UnaskedTest : public QObject {
     }
   }
 
-  /// Every choice of every list, and back.
+  /// Selects every entry of every list, and the first choice again.
   void visitChoices() {
     const Seen before = seen();
     for (auto* box : window_->findChildren<QComboBox*>()) {
@@ -237,7 +237,7 @@ class UnaskedTest : public QObject {
     canvas().setSelected({});
   }
 
-  /// Opened and given up: previews leave nothing behind.
+  /// Opens and cancels every operation: previews must leave nothing behind.
   void visitOperations() {
     GraphWorkspace& workspace = window_->tabs().current()->workspace();
     const Seen before = seen();

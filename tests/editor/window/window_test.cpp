@@ -102,7 +102,8 @@ void collectCutChoices(const QComboBox& box, QStringList& cut) {
 void collectCutHeadings(const QHeaderView& header, QStringList& cut) {
   if (!header.isVisible() || header.orientation() != Qt::Horizontal) return;
   const QString table = header.parentWidget()->objectName();
-  const bool shortens = dynamic_cast<const ShorteningHeader*>(&header);  // and has the whole as a tool tip
+  // shortened headings have the whole text as a tool tip
+  const bool shortens = dynamic_cast<const ShorteningHeader*>(&header);
   for (int i = 0; i < header.count() && !shortens; ++i)
     if (header.sectionSizeHint(i) > header.sectionSize(i) + 1 && !header.isSectionHidden(i))
       cut << QString("%1: heading \"%2\"")
@@ -190,7 +191,7 @@ QString textSeen(const QWidget& widget) {
   return {};
 }
 
-/// Those that are seen besides the main window. One that closes may take others with it.
+/// Visible windows besides the main window. Guarded pointers, because closing one may close others.
 QList<QPointer<QWidget>> windowsBeside(const Rig& rig) {
   QList<QPointer<QWidget>> windows;
   for (QWidget* window : QApplication::topLevelWidgets())
@@ -219,7 +220,7 @@ double outlineContrast(const QImage& picture, const QRect& control, const QColor
   return best;
 }
 
-/// Of a window what is seen of it, of a page in a scroll area the whole.
+/// Collects texts that are cut off: in the visible part of a window, and in the whole page of a scroll area.
 void collectCutTexts(QWidget& window, const QString& where) {
   QTest::qWait(50);
   const QImage seen = window.grab().toImage();
@@ -445,7 +446,7 @@ class WindowTest : public QObject {
     rig.prompts.unsavedAnswers = {SaveChoice::cancel, SaveChoice::save, SaveChoice::discard};
     rig.action("close")->trigger();
     QVERIFY(rig.window->tabs().current());
-    rig.prompts.saveAnswers = {QString()};  // and then no name
+    rig.prompts.saveAnswers = {QString()};  // the prompt for the file name is cancelled
     rig.action("close")->trigger();
     QVERIFY(rig.window->tabs().current());
     rig.action("close")->trigger();
@@ -675,7 +676,7 @@ class WindowTest : public QObject {
     QCOMPARE(stored().size(), 2);
     rig.window->files().close(*rig.window->tabs().current());
     QCOMPARE(stored(), QStringList{sample("buttons/B.button.json")});
-    rig.window->close();  // its tabs come back
+    rig.window->close();  // the open tabs come back at the next start
     QCOMPARE(stored(), QStringList{sample("buttons/B.button.json")});
   }
 
@@ -705,7 +706,7 @@ class WindowTest : public QObject {
     const double made_mm =
         metricsOf(rig.document().button().states()[0]).press.tactile[0].point.displacement_mm;
     QVERIFY(std::abs(made_mm - (0.75 * c_mm + 0.25 * b_mm)) < 0.01);
-    QVERIFY(rig.document().history().modified());  // it exists nowhere else
+    QVERIFY(rig.document().history().modified());  // the button exists in no file
     // A two-level button is another kind: it is not ticked, and refused where it is.
     rig.window->files().open({sample("buttons/D.button.json")});
     rig.window->tabs().show(rig.window->tabs().all()[0]->document());
@@ -728,7 +729,7 @@ class WindowTest : public QObject {
     QVERIFY(rig.document().title().contains("Mean of 3"));  // not the name of one of them
   }
 
-  // Presets fill in, changes stay, and what cannot be drawn cannot be exported.
+  // Presets fill in the fields, later changes stay, and a graph that cannot be drawn cannot be exported.
   void choosesHowAGraphIsPrinted() {
     const Button button = *readButton((sample("buttons/C.button.json")).toStdString());
     GraphExportDialog dialog(button, {});
@@ -785,7 +786,7 @@ class WindowTest : public QObject {
       rig.action(name)->trigger();
       QVERIFY2(seen() == before, name);
       QCOMPARE(canvas.mapping().toPixel(1.6, 0.65), place_px);
-      QTest::qWait(20);  // what was put off
+      QTest::qWait(20);  // lets delayed work run
       QVERIFY2(seen() == before, name);
     }
   }
@@ -858,13 +859,13 @@ class WindowTest : public QObject {
     QCOMPARE(contents(path), otherCopy);
     QVERIFY(rig.notices().join(' ').contains("changed"));
     QVERIFY(rig.document().history().modified());
-    // Save as leaves theirs alone.
+    // Save as leaves the file of the other program unchanged.
     rig.prompts.saveAnswers.push_back(at("mine.button.json"));
     rig.press("saveAs");
     QCOMPARE(contents(path), otherCopy);
     QVERIFY(QFile::exists(at("mine.button.json")));
     QVERIFY(!rig.document().history().modified());
-    // Overwrite is a decision, and one for this content only.
+    // Overwriting is a decision for this content only.
     rig.window->files().open({path});
     rig.scale(1.2);
     writeOther(3);
@@ -912,7 +913,7 @@ class WindowTest : public QObject {
     QCOMPARE(rig.prompts.unexpected, 0);
   }
 
-  // Whatever has the focus: a key that the list of shortcuts names does what the list says.
+  // Keys named in the list of shortcuts work with every focus.
   void listedKeysWorkWhereverTheFocusIs() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
@@ -1031,7 +1032,7 @@ class WindowTest : public QObject {
     rig.window->tabs().remove(*rig.window->tabs().current());
     rig.window->files().open({button});
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
-    // Where traced points are shown they are wanted.
+    // Traced points are loaded when they are shown.
     rig.action("viewResiduals")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
   }
@@ -1281,7 +1282,7 @@ class WindowTest : public QObject {
     }
     {
       Rig rig(folder_->path());
-      QVERIFY(rig.window->tabs().all().empty());  // only where the program asks for it
+      QVERIFY(rig.window->tabs().all().empty());  // opens only at the program's request
       rig.window->restoreSession();
       QCOMPARE(rig.window->tabs().all().size(), std::size_t(2));
       QCOMPARE(rig.document().path(), b);
@@ -1321,7 +1322,7 @@ class WindowTest : public QObject {
     QTRY_VERIFY(isDark(canvas.palette()));
   }
 
-  // Of a self-locking button a note alone does not say where it stands.
+  // A note of a self-locking button is printed with its state.
   void printsNotesWithTheirState() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/EF.button.json")});
@@ -1396,7 +1397,7 @@ class WindowTest : public QObject {
       RecoveryStore dead(at("recovery"));
       dead.keepImport(textOf(draft));
       dead.flush();
-      // Its lock goes with it, its file stays, as after a kill.
+      // The destructor releases the lock and leaves the file, as a killed program does.
     }
     Rig rig(folder_->path());
     rig.window->files().offerRecovery();
@@ -1409,7 +1410,7 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(view->state().current() && view->state().current()->history.now() == given,
                              60000);
     QVERIFY(view->state().current()->history.canUndo());
-    // Now it is this editor's, already on the disk.
+    // The recovered import is stored by this editor now.
     QVERIFY(!QDir(at("recovery")).entryList({"*"}, QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
     rig.prompts.confirmAnswers.push_back(false);
     dialog->reject();
@@ -1548,11 +1549,12 @@ class WindowTest : public QObject {
     QVERIFY(plot);
     QCOMPARE(plot->plottable(0)->pen().color(), colors.press);
     for (int i = 0; i < plot->plottableCount(); ++i)
-      QVERIFY(plot->plottable(i)->pen().color() != colors.release);  // that colour means a stroke
+      // the release's colour means a stroke, so no plot may have it
+      QVERIFY(plot->plottable(i)->pen().color() != colors.release);
   }
 
-  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says
-  // can be read.
+  // The desktop turns dark and light again while the editor runs: the texts of every open window stay
+  // readable.
   void theDesktopsChangeOfThemeIsFollowed() {
     bool dark = false;
     Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });
@@ -1601,7 +1603,7 @@ class WindowTest : public QObject {
     }
   }
 
-  // The graph is what a window is opened for.
+  // The graph has most of the window.
   void theGraphOwnsTheWindow() {
     Rig rig(folder_->path());
     rig.window->resize(1366, 768);

@@ -230,7 +230,9 @@ TEST_CASE("a word with one letter misread is still that word") {
   CHECK(lengthUnitIn("Positon (nm)")->unit == LengthUnit::millimetre);
 }
 
-TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrillic letters that look Latin") {
+TEST_CASE(
+    "a unit is read behind any words, a comma and an arrow, and in Cyrillic letters that resemble Latin "
+    "ones") {
   const auto force = [](const char* title) {
     const auto unit = forceUnitIn(title);
     return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
@@ -273,7 +275,7 @@ std::vector<std::vector<NumberReading>> readTogether(const std::vector<std::stri
 
 }  // namespace
 
-TEST_CASE("words of strokes in Cyrillic are known by the Latin letters they look like, one of them wrong") {
+TEST_CASE("words of strokes in Cyrillic are known by the Latin letters they resemble, one of them wrong") {
   CHECK(withCyrillicWords("HaxaTue") == "Нажатие");
   CHECK(withCyrillicWords("Bo3Bpat, 2") == "Возврат, 2");
   CHECK(withCyrillicWords("OtnyckaHMe") == "Отпускание");
@@ -289,12 +291,12 @@ TEST_CASE("three digits behind a sign are thousands where whole numbers stand be
   CHECK(readTogether({"0", "500", "1,000", "1,500"}, ThousandsSign::certain)[2].front().value == 1000);
   CHECK(readTogether({"0", "1,000", "2,000"}, ThousandsSign::certain)[1].front().value == 1000);
   CHECK(readTogether({"250", "500", "750", "1.000"}, ThousandsSign::certain)[3].front().value == 1000);
-  // Decimals say so themselves.
+  // "0,500" proves that "," is a decimal sign.
   CHECK(readTogether({"0,000", "0,500", "1,000"}, ThousandsSign::none)[2].front().value == 1);
   CHECK(readTogether({"0.5", "1.000"}, ThousandsSign::none)[1].front().value == 1);
   CHECK(readTogether({"050", "1.000"}, ThousandsSign::none)[1].front().value == 1);  // lost its point
   CHECK(readTogether({"1.000", "1.250", "1.500"}, ThousandsSign::none)[1].front().value == 1.25);
-  // Nobody can tell.
+  // Here "," may be a decimal sign or a thousands separator.
   CHECK(readTogether({"1,000", "2,000", "3,000"}, ThousandsSign::possible)[0].front().value == 1);
   CHECK(readTogether({"0", "1.000", "2.000"}, ThousandsSign::possible)[1].front().value == 1);
 }
@@ -335,7 +337,7 @@ TEST_CASE("a power of ten at the end of an axis") {
   }
 }
 
-TEST_CASE("lines that stand as logarithms do tell a logarithmic scale, whatever its numbers look like") {
+TEST_CASE("lines at logarithmic distances show a logarithmic scale, whatever the numbers are read as") {
   const auto lines = [](double top_px, double decade_px, int digits, bool logarithmic, bool upwards) {
     std::vector<GridLine> found;
     for (int decade = 0; decade < 2; ++decade)

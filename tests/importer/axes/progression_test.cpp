@@ -138,7 +138,7 @@ TEST_CASE("numbers that count by one same number but for their rounding are even
   const auto q = fitProgression(uneven.labels, uneven.ticks, true);
   REQUIRE(q);
   CHECK(q->step < 0.001);
-  // So coarse that much counts on evenly.
+  // Numbers so coarse that many scales fit evenly.
   const auto coarse = drawnAxis({"0", "3", "5", "8", "10"}, 60, 90);
   const auto c = fitProgression(coarse.labels, coarse.ticks, true);
   CHECK((!c || c->step == Approx(1) || c->labels < 5));
@@ -224,5 +224,5 @@ TEST_CASE("lines rounded to whole pixels: closer than least squares") {
 TEST_CASE("lines that are not rounded are left to least squares") {
   CHECK_FALSE(throughRoundedLines({{10.2, 0}, {20.5, 1}, {30.8, 2}}));
   CHECK_FALSE(throughRoundedLines({{10, 0}, {20, 1}}));
-  CHECK_FALSE(throughRoundedLines({{10, 0}, {20, 1}, {40, 2}}));  // no even spacing rounds to these
+  CHECK_FALSE(throughRoundedLines({{10, 0}, {20, 1}, {40, 2}}));  // no even spacing rounds to these values
 }

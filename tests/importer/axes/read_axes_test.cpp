@@ -68,7 +68,7 @@ AxesFound read(const cv::Mat& grey, const AxisHints& hints = {}) {
   return std::move(axes).value();
 }
 
-/// Where the calibration thinks the drawn corners are, in pixels off.
+/// Largest distance, in pixels, of the calibration's corners from the drawn ones.
 double worstCornerError_px(const AxesFound& axes, const PlotStyle& s, double newtonPerUnit) {
   double worst = 0;
   const auto& c = axes.calibration.value;
@@ -173,7 +173,7 @@ TEST_CASE("a label that contradicts the grid is left out, and said") {
   CHECK(axes.calibration.confidence < 1);
 }
 
-TEST_CASE("a number that looks like what its even row says contradicts it where it was read for certain") {
+TEST_CASE("a number similar to the value of its even row contradicts it where it was read for certain") {
   PlotStyle s;
   auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s), writeLeft(looked.view, s);
@@ -375,7 +375,7 @@ TEST_CASE("a force axis that stands at the right alone is read there") {
   SECTION("in a box") {}
   SECTION("gridlines alone") { s.box = false; }
   SECTION("its title left where it was") { s.titleAtLeft = true; }
-  SECTION("its title left where it was, whose letters look like numbers") {
+  SECTION("its title left where it was, whose letters resemble numbers") {
     s.titleAtLeft = true, s.yTitle = "oooooo [cN]";
   }
   const auto axes = read(drawn(s));
@@ -406,7 +406,7 @@ TEST_CASE("a title set so tight that its line reaches into that of the numbers i
   auto looked = readWithoutCurves(s);
   writeBelow(looked.view, s), writeLeft(looked.view, s);
   for (auto& text : looked.view.texts)
-    if (text.box.y0 == 512) text.box.y1 = 542;  // as high as its typeface
+    if (text.box.y0 == 512) text.box.y1 = 542;  // a box as high as its typeface
   looked.view.texts.push_back({"Travel [um]", {400, 520, 500, 550}, 0});
   const auto axes = readAxes(looked.view, looked.frame);
   REQUIRE(axes.ok());
@@ -774,7 +774,7 @@ TEST_CASE("a row of numbers without ticks makes a scale by itself where it is wh
   auto looked = readWithoutCurves(s);
   looked.frame.xLines.clear(), looked.frame.yLines.clear();
   writeBelow(looked.view, s), writeLeft(looked.view, s);
-  // Units by hand: what is certain here are the scales.
+  // Units given by hand: this test is about the scales.
   AxisHints units;
   units.xUnit = LengthUnit::millimetre, units.yUnit = ForceUnit::newton;
   const auto sure = [&] { return readAxes(looked.view, looked.frame, units)->calibration.confidence; };
@@ -805,7 +805,7 @@ TEST_CASE("a misread label is kept, marked as not used") {
 
 namespace {
 
-/// The axes with what stands in the plot and beside it; `before`: texts that were read earlier.
+/// Reads the axes and the texts in and beside the plot; `before`: texts that were read earlier.
 Result<AxesFound> readWithTexts(const cv::Mat& grey, const std::vector<SeenText>& before = {}) {
   const auto looked = readingOfWhole(grey);
   auto axes = readAxes(looked.view, looked.frame);
@@ -887,7 +887,7 @@ TEST_CASE("names of two signs that were read with their samples are read without
     CHECK(std::ranges::none_of(*texts, [](const SeenText& t) { return t.utf8.starts_with("-O-"); }));
 }
 
-TEST_CASE("a legend's row is parted at filled squares of another ink") {
+TEST_CASE("a legend's row is parted at filled squares of another colour") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.height = 640;
@@ -901,7 +901,7 @@ TEST_CASE("a legend's row is parted at filled squares of another ink") {
     CHECK(std::ranges::count(axes->texts, word, &SeenText::utf8) == 1);
 }
 
-TEST_CASE("names of two letters are read beside a legend's sample alone") {
+TEST_CASE("names of two letters are read beside a legend key alone") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.width = 1100;
@@ -1027,7 +1027,7 @@ TEST_CASE("titles at the ends of the axes are read inside the plot, callouts are
   CHECK((cal.y.unitFound && cal.y.unit == "cN") == titles);
 }
 
-TEST_CASE("names of axes that end beyond the plot's foot or run through its top are read") {
+TEST_CASE("names of axes that end below the plot or run through its top are read") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.right = 700;
@@ -1049,7 +1049,8 @@ TEST_CASE("names of axes that end beyond the plot's foot or run through its top 
   }
 }
 
-TEST_CASE("a small unit in brackets is told by its shape behind letters that the engine does not know") {
+TEST_CASE(
+    "a small unit in brackets is recognised by its shape behind letters that the engine does not know") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
   s.yTitle = "";

@@ -82,7 +82,7 @@ TEST_CASE("a million points take bounded work") {
   CHECK(worstForceError(fitted->curve, truth, 3.7) < 0.002);
 }
 
-TEST_CASE("walls at both ends, vertical or leaning back, keep their height and their place") {
+TEST_CASE("steep rises at both ends, vertical or leaning back, keep their height and their displacement") {
   for (const double lean : {0.0, -0.01}) {
     std::vector<CurvePoint> points;
     for (int i = 0; i < 100; ++i) points.push_back({0, 0.003 * i});
@@ -111,7 +111,7 @@ TEST_CASE("repeated points and flat force") {
   CHECK(fitted->summary.tactilePoints.empty());
 }
 
-TEST_CASE("one wild sample of a force meter costs nothing but itself") {
+TEST_CASE("one outlier of a force meter costs nothing but itself") {
   std::vector<CurvePoint> points;
   const StrokeCurve truth = tactileKey();
   std::mt19937 random(2);

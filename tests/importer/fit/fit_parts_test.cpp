@@ -85,7 +85,7 @@ TEST_CASE("correlation of residuals is found") {
 
 namespace {
 
-/// A chain's matrix of random residuals, its last knot standing apart as there is none behind it.
+/// A chain's matrix of random residuals; the last knot is decoupled, because no piece follows it.
 BandMatrix randomMatrix(std::size_t knots, std::size_t rows) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal(0, 1);
@@ -244,7 +244,7 @@ TEST_CASE("a tactile point of the right curve is not far from what the points ar
   }
 }
 
-TEST_CASE("a tactile point that the curve's few pieces put beside the points' own is told by how much") {
+TEST_CASE("a tactile point that the curve's few pieces displace is reported with its distance") {
   for (const double sign : {1.0, -1.0}) {
     const std::vector<SigmaPoint> points = pointsOf(extremum(sign), 0.3, 400);
     const KnotChain off = extremum(sign, 8);

@@ -148,7 +148,7 @@ TEST_CASE("a tick that reaches a number is no minus behind it") {
   CHECK(numberBoxes({{10, 10, 16, 20}, {18, 18, 20, 20}}).front() == Box{10, 10, 20, 20});
 }
 
-TEST_CASE("a stroke at the foot parts the names of columns and not the words") {
+TEST_CASE("a line at the bottom parts the names of columns and not the words") {
   const Box force{10, 10, 50, 20}, stroke{51, 21.5, 57, 23}, unit{58, 12, 64, 23};
   REQUIRE(wordBoxes({force, stroke, unit}, 1.3).size() == 1);
   CHECK(wordBoxes({force, {51, 27, 57, 28}}, 1.3).size() == 2);  // under the line

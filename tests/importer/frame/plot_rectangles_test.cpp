@@ -27,7 +27,7 @@ PlotRectangle bestOf(const LineSet& lines) {
 
 }  // namespace
 
-TEST_CASE("numbers whose stems meet their ticks do not draw a plot down to their feet") {
+TEST_CASE("numbers whose stems meet their ticks do not extend a plot down to their lower edges") {
   LineSet lines = gridWithTicks();
   // On a card whose lower border stands close under the numbers.
   for (const double y : {152.0, 458.0}) lines.horizontal.push_back(lineOf(588, 982, y));

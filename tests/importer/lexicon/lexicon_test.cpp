@@ -27,7 +27,7 @@ std::string lengthIn(std::string_view title, TextSource source) {
   return unit ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
-/// A title with the units of force and length in it, and what it measures instead.
+/// A title with its units of force and length, or the other quantity that it names.
 struct Row {
   const char *title, *force, *length, *other;
 };

@@ -95,7 +95,7 @@ TEST_CASE("a switch is called what its file calls it, without what the file is")
         SwitchName{"Leobog Nimbus", "", ""});
   CHECK(switchNameFrom("d/JWK-Bouquet-Sample-2-Measurement-1.ods") == SwitchName{"JWK Bouquet", "2", "1"});
   CHECK(switchNameFrom("Topre_R1_45g/DataLog_4.csv") == SwitchName{"Topre R1 45g", "", "4"});
-  // A laboratory's own ways to tell units apart: a number behind the folder's name, a nought before it.
+  // Forms of unit names of laboratories: a number behind the folder's name, or a leading zero.
   CHECK(switchNameFrom("d/Clickiez 40g__Clickiez 40g 2 Raw Data CSV.csv") ==
         SwitchName{"Clickiez 40g", "2", ""});
   CHECK(switchNameFrom("AEBoards Naevy EC/AEBoards Naevy EC 3 Raw Data CSV.csv") ==
@@ -173,7 +173,8 @@ TEST_CASE("the nearest stands first, in units of lab noise") {
   REQUIRE(nearest.size() == 6);
   CHECK(nearest[0].entry.name == "spring 50");
   CHECK(*nearest[0].distance_labNoise < 1e-3);
-  // 10 gf on both strokes, times the weight of the level, less what a shift of the contact explains of it.
+  // 10 gf on both strokes, times the weight of the level, less the part that a shift of the contact
+  // explains.
   const auto softer =
       std::ranges::find_if(nearest, [](const FoundSwitch& each) { return each.entry.name == "spring 40"; });
   REQUIRE(softer != nearest.end());
@@ -414,7 +415,7 @@ TEST_CASE("a bump where a linear switch is first touched is no tactile point; na
     CHECK(each.entry.figures[KeyFigure::peakForce].has_value() == (each.entry.name != "Jelly Black"));
 }
 
-TEST_CASE("a tester whose forces lie well off others' is told with each switch") {
+TEST_CASE("a tester whose forces lie well off others' is named with each switch") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
   std::string x, down, up;
@@ -447,7 +448,8 @@ TEST_CASE("another meter's zero of travel and preload do not make another switch
   };
   const FeelDistance distance(shapeOf(0.1, 0, 3.4));
   CHECK(distance.to(shapeOf(0.1, 0, 3.4)) < 1e-6);
-  CHECK(distance.to(shapeOf(0.24, 2, 3.3)) < 1.2);  // the rest is what a shift, a level and a travel cost
+  CHECK(distance.to(shapeOf(0.24, 2, 3.3)) <
+        1.2);  // the rest is the distance of a shift, a level and a travel
   CHECK(distance.to(shapeOf(0.1, 0, 3.0)) > 1.5);
   CHECK(distance.to(shapeOf(0.1, 10, 3.4)) > 3);
   FeltShape pressOnly = shapeOf(0.1, 0, 3.4), tiny = shapeOf(0.1, 0, 1e-6);
@@ -488,7 +490,7 @@ TEST_CASE(
   for (const char* const none : {"± 0.0<", "± 0.00<"}) CHECK(page.find(none) == std::string::npos);
 }
 
-TEST_CASE("figures that no switch has: the nearest is told, and bent it has them") {
+TEST_CASE("figures that no switch has: the nearest is reported, and bent it has them") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
   folder.write("s/weak.csv", tidyCsv(30, 25));

@@ -147,7 +147,7 @@ TEST_CASE("a stroke's samples tell the meter's noise, its step and what samples 
   for (std::size_t i = 0; i < 800; i += 20)
     white.insert(white.begin() + static_cast<std::ptrdiff_t>(i), white[i]);
   CHECK_FALSE(SampledStroke(*curve, white).isEven());
-  // A place that trembles goes back now and then: a window holds what lies in it all the same.
+  // Displacements that tremble go back now and then: a window still holds all samples inside it.
   std::vector<CurvePoint> trembling = carried;
   for (std::size_t i = 10; i + 12 < trembling.size(); i += 12) std::swap(trembling[i], trembling[i + 11]);
   const LocalWindow inside = SampledStroke(*curve, trembling).between(1, 2);

@@ -303,7 +303,7 @@ TEST_CASE("a force that relaxes while the handle dwells at the bottom is no tact
   CHECK(log.strokes.release->points.back().displacement_mm == 0);
 }
 
-TEST_CASE("single wild samples do not turn the signs") {
+TEST_CASE("single outliers do not turn the signs") {
   std::string text = "displacement_mm,force_N\n";
   for (int i = 0; i <= 400; ++i)
     text += number(0.01 * i, '.') + "," + (i % 37 == 5 ? "-500" : number(0.3 + 0.001 * i, '.')) + "\n";

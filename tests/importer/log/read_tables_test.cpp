@@ -214,7 +214,7 @@ TEST_CASE("a line above a table is its title, with however many delimiters behin
   }
 }
 
-TEST_CASE("strokes in columns of their own are told by their names") {
+TEST_CASE("strokes in columns of their own are recognised by their names") {
   const auto beside = [](const char* header, const char* form, bool swapped) {
     std::string text = header;
     constexpr int steps = 160;
@@ -748,7 +748,7 @@ TEST_CASE("sheets named as strokes are one button") {
   if (!log) FAIL(log.failure().sentence());
   CHECK(log->yUnit == "gf");
   checkButton(*log);
-  // Two buttons of two sheets each; a release without its press is none.
+  // Two buttons of two sheets each; a release without its press does not count.
   const LayoutFile two(book(table("A press", plain.c_str(), true, true, 1, 1) +
                             table("A release", plain.c_str(), false, false, 1, 1) +
                             table("B press", plain.c_str(), true, true, 1, 1.5) +

@@ -81,7 +81,7 @@ TEST_CASE("a press ends before the handle dwells at the bottom and the force rel
   CHECK(press == whole);
 }
 
-TEST_CASE("a wall at the end of a press is no dwell") {
+TEST_CASE("a vertical rise at the end of a press is no dwell") {
   std::vector<CurvePoint> press;
   for (int i = 0; i <= 400; ++i) press.push_back({0.01 * i, 0.3 + 0.001 * i});
   for (int i = 0; i < 100; ++i) press.push_back({4.0001 + 0.0001 * i, 0.7 + 0.01 * i});

@@ -98,7 +98,7 @@ TEST_CASE("text in any encoding") {
   CHECK_FALSE(utf8From(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)));
 }
 
-TEST_CASE("a charset of one country is told by the words that it gives") {
+TEST_CASE("a charset of one country is recognised by the words that it gives") {
   struct Case {
     std::string bytes, text;
   };
@@ -196,7 +196,7 @@ TEST_CASE("ounces are a force where a force is named") {
   CHECK(forceOf("Travel (mm);Filling (oz)") < 0);
 }
 
-TEST_CASE("delimiter and decimal comma are told where units stand behind the numbers") {
+TEST_CASE("delimiter and decimal comma are distinguished where units stand behind the numbers") {
   const Table table = tableFrom("Weg;Kraft\n0,0 um;0,0004 N\n27,5 um;0,0285 N\n55,0 um;0,0573 N\n");
   CHECK(table.style.decimalSign == ',');
   CHECK(table.cells(1) == 2);

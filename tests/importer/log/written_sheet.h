@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Writes spreadsheets and other measurements as people's curve meters leave them, for tests: layouts of the Open-Switch curve meter
-// (strokes in columns under one line of headings or two, raw columns beside), deflated in a ZIP archive.
+// Writes spreadsheets and other measurements as people's curve meters leave them, for tests: layouts of the
+// Open-Switch curve meter (strokes in columns under one line of headings or two, raw columns beside),
+// deflated in a ZIP archive.
 
 #include <cmath>
 #include <cstdint>
@@ -76,7 +77,8 @@ inline std::string cellOf(double value) {
   return text;
 }
 
-/// content.xml with lines of headings, rows of numbers, and the empty rest of the sheet as LibreOffice writes it.
+/// content.xml with lines of headings, rows of numbers, and the empty rest of the sheet as LibreOffice
+/// writes it.
 inline std::string sheetXml(const std::vector<std::vector<std::string>>& headings,
                             const std::vector<std::vector<double>>& rows) {
   std::string xml =

@@ -180,7 +180,7 @@ TEST_CASE("letters whose font the page does not bring are read and drawn, in eve
     CHECK(opened.page.texts.size() >= 1);
     CHECK(darkPixels(opened.page.overview) > 100);
   }
-  // No font for cuneiform is linked, nor for music: a box stands for the sign, and it is named.
+  // No font for cuneiform or music is linked: a box replaces the sign, and a remark names it.
   const auto rare = open(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\" height=\"100\"><text x=\"20\" "
       "y=\"60\">\xf0\x92\x80\x80</text></svg>",
@@ -303,7 +303,7 @@ TEST_CASE("hostile and broken documents are refused") {
       svg += "</g>";
     }
     PageLimits limits;
-    limits.maxPageSeconds = 4;  // a quarter of it for the program that draws
+    limits.maxPageSeconds = 4;  // the drawing program gets a quarter of this
     CHECK(english(documentRefusal(svg + "</svg>", "bomb.svg", limits).problem) ==
           "it takes too long to draw");
   }
@@ -339,7 +339,7 @@ std::vector<Point> lineOf(const std::string& element, const std::string& attribu
 }  // namespace
 
 TEST_CASE("a list of points in an SVG ends at its first error") {
-  // MuPDF never came back from what stands behind "30,40".
+  // MuPDF does not return from the text behind "30,40".
   for (const std::string rest : {"", " x", " -,+ .", " %,2", " &#97; 5,6", " nan,1"}) {
     INFO(rest);
     const std::vector<Point> line = lineOf("polyline", "points='1e1,+20 30,40" + rest + "'");
@@ -756,11 +756,12 @@ TEST_CASE("drawing a page ends when it is cancelled, within half a second") {
   const auto start = Clock::now();
   std::optional<Clock::time_point> stopped;
   Progress progress;
-  progress.cancelled = [&] {  // interpreting takes less
-    if (secondsSince(start) < 2) return false;
-    if (!stopped) stopped = Clock::now();
-    return true;
-  };
+  progress.cancelled =
+      [&] {  // cancels after 2 s, when the page is being drawn, because interpreting takes less
+        if (secondsSince(start) < 2) return false;
+        if (!stopped) stopped = Clock::now();
+        return true;
+      };
   const auto page = document->page(1, progress);
   REQUIRE(stopped);
   CHECK(secondsSince(*stopped) < 0.5);

@@ -172,7 +172,7 @@ TEST_CASE("a turned view shows the same pixels, and its map leads back to them")
   CHECK(document->view(*page, {2, 1, 6, 3}, 1)->viewToPage({0, 0}) == Point{2, 3});
 }
 
-TEST_CASE("uneven light is divided away, ink keeps its share of it, dark ground stays") {
+TEST_CASE("uneven light is divided away, marks keep their share of it, a dark background stays") {
   Raster shaded;
   shaded.width_px = 640, shaded.height_px = 480;
   const auto lightAt = [](int x) { return 1 - 0.5 * x / 640; };
@@ -260,7 +260,7 @@ TEST_CASE("EXIF orientation is applied and its resolution read") {
   const Bytes jpeg = encoded(".jpg", mat);
   struct Case {
     std::uint32_t orientation;
-    int width, darkX, darkY;  // where the dark corner is shown
+    int width, darkX, darkY;  // size as shown, and position of the dark corner
   };
   for (const Case& c : {Case{1, 32, 2, 2},
                         {2, 32, 29, 2},
@@ -291,7 +291,7 @@ TEST_CASE("16 bits, grey and transparency become opaque 8-bit colour") {
   CHECK(pixel(firstPage(encoded(".png", half)).overview, 0, 0) == Rgb{255, 127, 127});
 }
 
-TEST_CASE("transparent plots stand on the background on which their ink shows") {
+TEST_CASE("transparent plots are put on the background on which their marks are visible") {
   const auto lettersIn = [](const cv::Scalar& drawn, const cv::Scalar& grid) {
     cv::Mat mat(60, 60, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     for (int i = 0; i < 60; i += 10) mat.row(i) = grid;  // many pixels of grid, few of letters
@@ -304,7 +304,7 @@ TEST_CASE("transparent plots stand on the background on which their ink shows") 
   CHECK(pixel(firstPage(encoded(".png", lettersIn(white, dark))).overview, 50, 55) == Rgb{0, 0, 0});
 }
 
-TEST_CASE("a framed plot's ground is no ink within a rim: its letters say on what it stands") {
+TEST_CASE("a framed plot's background is no mark within a rim: its letters show its colour") {
   const auto letteredPlot = [](int letters, int line, int background) {
     cv::Mat mat(120, 160, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     const cv::Rect area(30, 10, 120, 90);
@@ -328,7 +328,7 @@ TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
         mat.row(y + dy) = cv::Scalar(grey, grey, grey, 255);
       }
     };
-    for (int y = 5; y < 50; y += 8) row(y, grid);  // so pale that half its contrast hardly shows
+    for (int y = 5; y < 50; y += 8) row(y, grid);  // so pale that half the contrast hardly shows
     row(53, drawn);
     return pixel(firstPage(encoded(".png", mat)).overview, 30, 58);
   };
@@ -379,7 +379,7 @@ TEST_CASE("a GIF that ends early, claims another size, or is a film, is refused"
   CHECK(english(refusal.problem).find("film") != std::string::npos);
 }
 
-TEST_CASE("a picture of a format that is not read is called by its name, and the way out is told") {
+TEST_CASE("a picture of a format that is not read is refused by its name, with a remedy") {
   using namespace std::string_literals;
   const std::pair<std::string, std::string> heads[] = {
       {"\0\0\0\x18"

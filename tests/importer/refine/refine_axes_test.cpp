@@ -131,7 +131,7 @@ TEST_CASE("a flat upright picture keeps the axes that were read") {
   CHECK_FALSE(refined->calibration.bend);
 }
 
-TEST_CASE("a corner read beside its place is mended by the lines") {
+TEST_CASE("a corner read beside its place is corrected by the lines") {
   const AxisCalibration truth = sheet(2e-5, {});
   Scene scene = sceneOf(truth);
   scene.asRead.viewToUnits = scene.asRead.viewToUnits.after(Homography{{1, 0.003, 0, 0, 1, 0, 0, 0, 1}});
@@ -163,7 +163,7 @@ TEST_CASE("without lines that tell, nothing is refined") {
   CHECK_FALSE(refineAxes(scene.view, scene.frame, scene.asRead));
 }
 
-TEST_CASE("the error told is of the size of the error made") {
+TEST_CASE("the stated error is of the size of the real one") {
   const AxisCalibration truth = sheet(2e-5, sag());
   Scene scene = sceneOf(truth);
   cv::RNG noise(20261124);

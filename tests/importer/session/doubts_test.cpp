@@ -213,7 +213,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "what is left over in the ink of a curve that was set aside is that curve's, and a black mark nobody's") {
+    "pixels left over in the colour of a curve that was set aside are that curve's, and a black mark "
+    "nobody's") {
   Import import;
   Raster& picture = import.graph.view.raster;
   picture.rgb.assign(3UL * 700 * 600, 255);
@@ -240,7 +241,7 @@ TEST_CASE(
   CHECK(import.weighed(DoubtCode::curveLeftOver));
   left.likeness = 0;
   paint({20, 20, 20}, 1);
-  CHECK(import.weighed(DoubtCode::curveLeftOver));  // another state's line
+  CHECK(import.weighed(DoubtCode::curveLeftOver));  // a line of the other state is left over
   paint({20, 20, 20}, -1);
   CHECK(import.doubts().empty());
   paint(stroke.color, -1);
@@ -254,7 +255,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a switch chosen among others whose own ink runs on beside its press has a release that was not "
+    "a switch chosen among others whose own colour runs on beside its press has a release that was not "
     "followed") {
   Import import;
   Raster& picture = import.graph.view.raster;
@@ -274,7 +275,7 @@ TEST_CASE(
     }
   };
   paint(0.5, 3.2);
-  paint(3, 0.5);  // its sample in the legend
+  paint(3, 0.5);  // the line's key in the legend
   CHECK(import.doubts().empty());
   paint(0.3, 1.2);
   CHECK(import.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar);
@@ -297,14 +298,15 @@ TEST_CASE("a colour given for the curve that the legend calls the other stroke i
   CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLegend));
 }
 
-TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that no ink does") {
+TEST_CASE("pixels of a curve's colour that nothing explains are doubted, and a curve without pixels") {
   Import import;
   Remainder left;
   left.box_px = {200, 200, 300, 300}, left.likeness = 0.3;
   import.explanation.left = {left};
   CHECK(import.doubts().empty());
   import.explanation.left.front().likeness = 0.8;
-  CHECK(import.doubted(DoubtCode::curveLeftOver));  // a remark: it may be another thing of the page
+  CHECK(import.doubted(
+      DoubtCode::curveLeftOver));  // only a remark: the pixels may be something else on the page
   import.explanation.left.front().atAnEnd = true;
   CHECK(import.doubted(DoubtCode::curveLeftOver));  // a refusal: the curve goes on
   import.explanation.left.front().atAnEnd = false;
@@ -368,7 +370,8 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   std::reverse(twice.release.begin(), twice.release.end());
   CHECK(twice.doubted(DoubtCode::strokesCoincide));
   twice.namedByLegend = true;
-  CHECK(twice.doubted(DoubtCode::strokesCoincide));  // in pixels a rim may have got the other's name
+  CHECK(twice.doubted(
+      DoubtCode::strokesCoincide));  // in pictures, a blurred rim may have got the other stroke's name
   twice.fromVector = true;
   CHECK_FALSE(twice.doubted(DoubtCode::strokesCoincide));  // a button without hysteresis
   twice.namedByLegend = false;
@@ -382,7 +385,7 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import falls;
   falls.press.push_back({3.21, 0});
   CHECK(falls.doubted(DoubtCode::endsInAFall));
-  Import falling;  // a line of a chart that falls and comes back
+  Import falling;  // a curve of a chart that falls and comes back
   falling.press = {{0, 1}, {1, 0.4}, {2, 0}, {3, 0}, {3.5, 0.7}};
   CHECK(falling.doubted(DoubtCode::endsInAFall));
   falling.press.back().force_N = 1.5;  // a key that snaps at once, and its bottom-out
@@ -478,7 +481,7 @@ TEST_CASE("what came from paper is worth less, unless frame and axes were given"
   CHECK(import.weighed(DoubtCode::pageIsScan) == Approx(0.88));
   import.pageClass = PageClass::photo;
   CHECK(import.weighed(DoubtCode::pageIsPhoto) == Approx(0.66));
-  for (CurvePoint& p : import.press) p.force_N *= 1000;  // doubted beside: both count
+  for (CurvePoint& p : import.press) p.force_N *= 1000;  // a second doubt: both lower the confidence
   CHECK(import.weighed(DoubtCode::implausibleForce) == Approx(0.66 * 0.4));
   import.hints.frame = {{100, 100}, { 500, 500 }};
   import.hints.axes.xMin = import.hints.axes.yMin = 0;
@@ -496,8 +499,8 @@ TEST_CASE("one of two curves is called something that is no stroke, and the othe
   import.hints.trace.pressColor = import.traces[0].color;
   CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
   import.hints.trace.pressColor.reset();
-  // A stroke's word, what every curve may be called, a program's own name, and two names, of which a legend's
-  // rules judge.
+  // A stroke's word, a word of every curve, a program's own name, and two names, which the rules for legends
+  // judge.
   for (const char* name : {"Release", "Force", "Series 2", ""}) {
     import.traces[1].label = name;
     CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
@@ -543,8 +546,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   below.press = {{0, 0.5}, {0.4, 0.3}, {0.5, 0.3}, {0.6, 0.3}, {3, 0.8}, {3.2, 1.6}};
   CHECK(below.doubts().empty());
   below.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};  // from 0.3 N on
-  for (CurvePoint& p : below.press)
-    p.force_N -= 0.3;  // where they stand on the page; their forces do not matter here
+  for (CurvePoint& p : below.press) p.force_N -= 0.3;  // their place on the page matters, not their forces
   CHECK(below.doubted(DoubtCode::belowTheAxis));
 
   // First steep, so that only its end lies on the axis; then so far inside that the hidden part matters.
@@ -627,11 +629,12 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
   labels.insert(labels.end(), 20, labels.front());
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);  // one misprint among many
-  leaves.hints.frame = {{100, 100}, {500, 500}};  // a person says so: taken, and still said
+  // the user gave the frame: the result is accepted, and the remark stays
+  leaves.hints.frame = {{100, 100}, {500, 500}};
   CHECK(leaves.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
 }
 
-TEST_CASE("a wall on the frame's side, in the frame's ink, does not leave the plot below its top") {
+TEST_CASE("a bottom-out on the frame's side, in the frame's colour, does not leave the plot below its top") {
   Import withBottomOut;
   withBottomOut.press.clear();
   for (int i = 0; i <= 400; ++i) withBottomOut.press.push_back({0.01 * i, 0.2 + 0.002 * i});
@@ -744,7 +747,7 @@ void give(RemedyKind kind, ImportHints& hints) {
 
 }  // namespace
 
-TEST_CASE("what was given by hand is not asked for again, and something is always left to try") {
+TEST_CASE("what was given by hand is not requested again, and something is always left to try") {
   Import pulls;
   pulls.press = {{-1, -0.5}, {1, -0.7}, {1.5, -0.5}, {3, 0.1}};
   pulls.release = {{3, 0.1}, {2, 0.9}, {-1, -0.5}};

@@ -59,7 +59,7 @@ class TemporaryFile {
 
 }  // namespace
 
-TEST_CASE("A list may be asked for again, and an import after it") {
+TEST_CASE("A list may be requested again, and an import after it") {
   auto session = ImportSession::open(std::string(DETENT_SOURCE_DIR) + "/samples/plots/white-vector.pdf");
   REQUIRE(session);
   const auto first = session->list();

@@ -32,7 +32,7 @@ TEST_CASE("A piece that reaches left of 0 mm is squeezed and keeps its forces an
   CHECK(moved->force_N(3) == Approx(c.force_N(3)));
 }
 
-TEST_CASE("A wall that leans to the left becomes upright and keeps its height") {
+TEST_CASE("A bottom-out that leans to the left becomes upright and keeps its height") {
   const auto moved = startingAtRest(
       curve({{-0.003, 0.0, 0, 10}, {-0.002, 0.1, 10, 10}, {-0.001, 0.3, 10, 10}, {2, 0.5, 0, 0}}));
   REQUIRE(moved);

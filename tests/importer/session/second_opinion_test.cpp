@@ -65,7 +65,7 @@ const Failure noRow{FailureCode::noForceGraph, "plot frame", {}, "no row of numb
 
 }  // namespace
 
-TEST_CASE("Two certain looks that agree leave the first as it is and are kept", "[second opinion]") {
+TEST_CASE("Two certain readings that agree leave the first as it is and are kept", "[second opinion]") {
   const auto best = settled(certain(1, 4), certain(2, 4.01), unasked, sure);
   REQUIRE(best.report);
   CHECK(travelOf(best) == Approx(4));
@@ -77,7 +77,7 @@ TEST_CASE("Two certain looks that agree leave the first as it is and are kept", 
   CHECK(best.report->readings[1].travel_mm.value() == Approx(4.01));
 }
 
-TEST_CASE("Two certain looks that differ are both told, and nothing is picked", "[second opinion]") {
+TEST_CASE("Two certain readings that differ are both reported, and nothing is picked", "[second opinion]") {
   const auto best = settled(certain(1, 4), certain(2, 8), unasked, sure);
   REQUIRE(best.report);
   REQUIRE(best.report->doubt);
@@ -88,7 +88,7 @@ TEST_CASE("Two certain looks that differ are both told, and nothing is picked", 
   CHECK_THAT(words, Catch::Contains("8 mm"));
 }
 
-TEST_CASE("The much surer look stands, and the other is told beside it", "[second opinion]") {
+TEST_CASE("The much surer reading is taken, and the other is reported beside it", "[second opinion]") {
   const auto best = settled(certain(1, 4, 0.95), certain(2, 8, 0.7), unasked, sure);
   REQUIRE(best.report);
   CHECK_FALSE(best.report->doubt);
@@ -98,7 +98,7 @@ TEST_CASE("The much surer look stands, and the other is told beside it", "[secon
   CHECK(settled(certain(1, 4, 0.95), certain(2, 8, 0.7), unasked, 0.97).report->doubt);
 }
 
-TEST_CASE("A stroke that one look alone sees is a difference", "[second opinion]") {
+TEST_CASE("A stroke that one reading alone finds is a difference", "[second opinion]") {
   PageReading pressAlone = certain(2, 4);
   pressAlone.attempt.report->release.reset();
   pressAlone.attempt.report->strokes.release.reset();
@@ -107,14 +107,14 @@ TEST_CASE("A stroke that one look alone sees is a difference", "[second opinion]
   CHECK_THAT(english(messageOf(*best.report->doubt)), Catch::Contains("without a release"));
 }
 
-TEST_CASE("An uncertain second look changes nothing", "[second opinion]") {
+TEST_CASE("An uncertain second reading changes nothing", "[second opinion]") {
   const auto best = settled(certain(1, 4), doubted(2, 8, DoubtCode::axesUncertain), unasked, sure);
   CHECK_FALSE(best.report->doubt);
   CHECK(best.report->confidence == 0.9);
   CHECK(best.report->readings[1].problem.empty() == false);
 }
 
-TEST_CASE("Two other looks of one mind take the place of an uncertain one", "[second opinion]") {
+TEST_CASE("Two other readings that agree replace an uncertain one", "[second opinion]") {
   const auto first = GENERATE(0, 1);
   PageReading uncertain = first == 0 ? doubted(1, 6, DoubtCode::axesUncertain)
                                      : failed(1, failureOf({DoubtCode::rangeUnreadable, {6, "x"}}));
@@ -132,14 +132,14 @@ TEST_CASE("Two other looks of one mind take the place of an uncertain one", "[se
   CHECK(best.report->readings[1].taken);
 }
 
-TEST_CASE("One other look alone does not", "[second opinion]") {
+TEST_CASE("One other reading alone does not", "[second opinion]") {
   SECTION("the third reads another button") {
     const auto best = settled(
         doubted(1, 6, DoubtCode::axesUncertain), certain(2, 4), [] { return certain(1.5, 5); }, sure);
     CHECK(best.report->doubt);
     CHECK(travelOf(best) == Approx(6));
   }
-  SECTION("more is asked for than that is worth") {
+  SECTION("the required confidence is higher") {
     const auto third = [] { return certain(1.5, 4, 0.95); };
     const auto best = settled(doubted(1, 6, DoubtCode::axesUncertain), certain(2, 4, 0.95), third, 0.9);
     CHECK(best.report->doubt);
@@ -165,7 +165,7 @@ TEST_CASE("What stands on the page is not read away", "[second opinion]") {
   CHECK(anotherMaySettle(doubted(1, 4, DoubtCode::curveLeftOver).attempt));
 }
 
-TEST_CASE("A photograph is worth more where three looks read it alike", "[second opinion]") {
+TEST_CASE("A photograph is worth more where three readings agree", "[second opinion]") {
   const auto photo = [](double magnification, double travel_mm) {
     return doubted(magnification, travel_mm, DoubtCode::pageIsPhoto, 0.45);
   };
@@ -187,7 +187,7 @@ TEST_CASE("A photograph is worth more where three looks read it alike", "[second
   SECTION("one has another doubt") {
     CHECK(settled(photo(1, 4), doubted(2, 4, DoubtCode::curveLeftOver), unasked, sure).report->doubt);
   }
-  SECTION("still below what is asked for") {
+  SECTION("still below the required confidence") {
     CHECK(settled(
               photo(1, 4), photo(2, 4), [&] { return photo(1.5, 4); }, 0.9)
               .report->doubt);

@@ -68,7 +68,7 @@ TEST_CASE("A hint runs the steps that depend on it and no others") {
   request.hints.axes = {};
   const ImportReport again = imported(session, request);
   CHECK(again.button.states() == found.button.states());
-  CHECK(again.seconds.count(ImportStep::axes) == 0);  // what was found was kept
+  CHECK(again.seconds.count(ImportStep::axes) == 0);  // the axes were kept, not read again
 
   request.hints.strokes.swap = true;
   CHECK(imported(session, request).seconds.count(ImportStep::trace) == 0);
@@ -137,7 +137,7 @@ TEST_CASE("A given frame keeps the graph's number and its axes follow their own 
   CHECK(inGrams.y->unit == "gf");
 }
 
-TEST_CASE("A doubt is a failure, or comes with the result where a person will look at it") {
+TEST_CASE("A doubt is a failure, or comes with the result where a person will check it") {
   auto session = opened("white-vector.pdf");
   ImportRequest request = firstGraph();
   const auto listed = session.list(1);
@@ -212,7 +212,7 @@ TEST_CASE("A plot that imports at its own size imports scaled up to the most pix
 }
 
 // The strokes of a key with two snaps cross; that they end in one point is drawn beyond the frame.
-TEST_CASE("Strokes that look like two switches' within the frame are followed beyond it first") {
+TEST_CASE("Strokes that resemble two switches' within the frame are followed beyond it first") {
   cv::Mat plot(640, 960, CV_8UC3, cv::Scalar::all(255));
   const auto at = [](double x, double y) {
     return cv::Point(static_cast<int>(100 + 600 * x), static_cast<int>(560 - 450 * y));
@@ -291,7 +291,7 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
   const Box box = listed->graphs.front().frame;
   ImportRequest request = firstGraph();
   const ImportReport first = imported(session, request);
-  ImportRequest large = request;  // its view alone is more than what is kept
+  ImportRequest large = request;  // the view of this request alone exceeds the memory kept
   large.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
   large.hints.dpi = 900;
   imported(session, large);
@@ -304,7 +304,7 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
   CHECK(again.evidence->view.raster.rgb == first.evidence->view.raster.rgb);
 }
 
-TEST_CASE("Precise looks at a page twice and keeps what both looks came to") {
+TEST_CASE("Precise reads a page twice and keeps the results of both readings") {
   auto session = opened("black-red-curves.png");
   ImportRequest request = firstGraph();
   CHECK(imported(session, request).readings.empty());
@@ -320,7 +320,7 @@ TEST_CASE("Precise looks at a page twice and keeps what both looks came to") {
   CHECK_FALSE(report.endedByTimeLimit);
 }
 
-TEST_CASE("A second look stays with the graph, the frame and the axes that were asked for") {
+TEST_CASE("A second reading keeps the requested graph, frame and axes") {
   auto session = opened("brown-one-ink.png");
   const auto listed = session.list(1);
   REQUIRE(listed);

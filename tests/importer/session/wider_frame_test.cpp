@@ -40,7 +40,7 @@ struct Plot {
 
 }  // namespace
 
-TEST_CASE("a frame is widened to where its curve's ink ends, and the scale goes on") {
+TEST_CASE("a frame is widened to where its curve's pixels end, and the scale goes on") {
   const Plot plot(530);
   const auto wider = widenedToItsCurves(plot.graph, plot.curves);
   REQUIRE(wider);
@@ -62,7 +62,7 @@ TEST_CASE("a frame is widened by as much as a step of its numbers, to the right 
     if (at > 100) axes.y.ticks.emplace_back().position_px = at;  // none above where the curve ends
   }
   CHECK(plot.isWidened());
-  plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 250;  // where the curve ends
+  plot.graph.frame.value.corners[0].y = plot.graph.frame.value.corners[1].y = 250;  // the end of the curve
   plot.graph.frame.value.corners[1].x = plot.graph.frame.value.corners[2].x = 560;
   const auto wider = widenedToItsCurves(plot.graph, plot.curves);
   REQUIRE(wider);
@@ -96,7 +96,7 @@ TEST_CASE("a frame stays where no curve leaves it") {
   CHECK_FALSE(Plot(502).isWidened());  // a line's own end
 }
 
-TEST_CASE("a frame stays where the ink does not end near it") {
+TEST_CASE("a frame stays where the pixels do not end near it") {
   CHECK_FALSE(Plot(620).isWidened());  // more than a fifth of its width
   Plot atEdge(530);
   atEdge.graph.view.raster.width_px = 530;  // the picture is cut through the curve
@@ -113,7 +113,7 @@ TEST_CASE("a frame stays where its scale is contradicted or it leans") {
   CHECK_FALSE(leaning.isWidened());
 }
 
-TEST_CASE("a wall that begins just beyond the frame takes it along") {
+TEST_CASE("a bottom-out that begins just beyond the frame extends it") {
   Plot plot(504);
   Raster& picture = plot.graph.view.raster;
   const int lowEdge = static_cast<int>(std::lround(Plot::row(504)));

@@ -132,7 +132,7 @@ TEST_CASE("A release and nothing else", "[legend]") {
     CHECK_FALSE(namesNothingButRelease(text));
 }
 
-TEST_CASE("A letter that looks like another is forgiven, one that does not proves nothing", "[legend]") {
+TEST_CASE("A letter that resembles another is forgiven, one that does not proves nothing", "[legend]") {
   CHECK(strokeNamedBy("downstr0ke") == std::nullopt);  // a digit splits the word
   CHECK(strokeNamedBy("downstrake") == Stroke::press);
   CHECK(strokeNamedBy("dwnstroke") == std::nullopt);
@@ -212,7 +212,7 @@ TEST_CASE("Two names of one switch's strokes, and of two switches", "[legend]") 
   CHECK_FALSE(mayBeOnePair("Switch A", "Switch B"));
   CHECK_FALSE(mayBeOnePair("downstroke_a", "downstroke_b"));
   CHECK_FALSE(mayBeOnePair("Brown press", "Red release"));
-  // The other's short name may not be read.
+  // An empty name is a short name that was not read; a name with wear is another switch's.
   for (const char* worn : {"after 1 million strokes", "500k cycles", "nach 10^6 Schaltspielen", "100万次后"})
     CHECK_FALSE(mayBeOnePair("", worn));
   CHECK(mayBeOnePair("press, 3 cycles", "release, 3 cycles"));

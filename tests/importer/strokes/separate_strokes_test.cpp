@@ -157,7 +157,7 @@ TEST_CASE("A release that lies above the press is none", "[strokes]") {
   CHECK(found.failure().reason == nameOf(DoubtCode::releaseAbovePress));
   traces[1].color = {255, 0, 0};  // in colours of their own they may be two switches' as well
   CHECK_FALSE(separate(traces).ok());
-  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // a person says so
+  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // the user names the strokes
   CHECK(separate(traces).ok());
 }
 
@@ -179,13 +179,14 @@ TEST_CASE("A release that drops later than the press is another switch's", "[str
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
   const auto picksAColour = [](const Remedy& remedy) { return remedy.kind == RemedyKind::pickPress; };
-  CHECK(std::ranges::none_of(found.failure().remedies, picksAColour));  // both are black
+  // both curves are black, so a colour does not tell them apart
+  CHECK(std::ranges::none_of(found.failure().remedies, picksAColour));
   const auto inTwo = separate({dropping(1.2, 0.2, black), dropping(1.8, 0, red)});
   REQUIRE_FALSE(inTwo.ok());
   CHECK(std::ranges::any_of(inTwo.failure().remedies, picksAColour));
   for (const double earlier_mm : {1.2, 1.3, 0.7})
     CHECK(separate({traces[0], dropping(earlier_mm, 0, red)}).ok());
-  traces[1].color = red;  // a person says so
+  traces[1].color = red;  // the user names the strokes
   CHECK(separate(traces).ok());
 }
 
@@ -209,8 +210,10 @@ TEST_CASE("On the level floor of a dome's valley noise does not say where the dr
   CHECK(found->confidence > 0.9);
 }
 
-TEST_CASE("A stroke whose wall lies under the other's goes up it; one that ends across the other does not",
-          "[strokes]") {
+TEST_CASE(
+    "A stroke whose bottom-out lies under the other's is extended up it; one that ends across the other is "
+    "not",
+    "[strokes]") {
   CurveTrace press = traced(0.1, {255, 0, 0}), release = traced(-0.05, {0, 0, 255});
   for (CurveTrace* stroke : {&press, &release}) stroke->width_px.assign(stroke->points_px.size(), 4);
   const auto whole_N = separate({press, release})->value.release->points.front().force_N;
@@ -229,7 +232,7 @@ TEST_CASE("A stroke whose wall lies under the other's goes up it; one that ends 
   CHECK(separate({press, across})->value.release->points.front().force_N < whole_N - 0.3);
 }
 
-TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
+TEST_CASE("Identical curves cannot be distinguished", "[strokes]") {
   const auto found = separate({traced(0.05), traced(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().code == FailureCode::notCertain);
@@ -368,7 +371,7 @@ TEST_CASE("Two presses of one shape that end apart are two samples, unless somet
   CHECK(separate({samples[0], release})->confidence > 0.9);
 }
 
-TEST_CASE("Two walls that end at different heights beside each other are two presses'", "[strokes]") {
+TEST_CASE("Two bottom-outs that end at different heights beside each other are two presses'", "[strokes]") {
   const auto through = [](const Polyline& points, Rgb colour) {
     CurveTrace t;
     t.points_px = densified(points, 1);
@@ -387,7 +390,7 @@ TEST_CASE("Two walls that end at different heights beside each other are two pre
   CHECK(separate(bothStrokes)->confidence > 0.9);
 }
 
-TEST_CASE("A switch whose ink the legend names twice has two strokes", "[strokes]") {
+TEST_CASE("A switch whose colour the legend names twice has two strokes", "[strokes]") {
   std::vector<CurveTrace> traces{traced(0.1, {255, 0, 0}), traced(-0.05, {0, 0, 255})};
   traces[0].label = "Heron", traces[1].label = "Kite";
   StrokeHints hints;
@@ -428,8 +431,7 @@ TEST_CASE("A locked key's release comes down to the force at rest: no legend has
     return found->confidence;
   };
   CHECK(confidenceOf({{2.5, 0.05}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) > 0.9);
-  CHECK(confidenceOf({{2.5, 0.35}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) <
-        0.5);  // ends in the middle of its force
+  CHECK(confidenceOf({{2.5, 0.35}, {2.6, 0.4}, {3.7, 0.6}, {4, 2}}) < 0.5);      // ends at half the force
   CHECK(confidenceOf({{2.5, 0.05}, {2.6, 0.4}, {3.7, 0.6}, {3.8, 1.0}}) < 0.5);  // and begins elsewhere
 }
 

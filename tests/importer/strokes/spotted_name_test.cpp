@@ -55,7 +55,7 @@ struct Legend {
 
 }  // namespace
 
-TEST_CASE("the switch whose name in the legend looks like the one asked for is taken") {
+TEST_CASE("the switch whose name in the legend resembles the requested one is taken") {
   for (const int letters_px : {12, 15, 24}) {
     const Legend chinese({"红轴", "青轴", "茶轴"}, letters_px), korean({"적축", "청축", "갈축"}, letters_px);
     CHECK(chinese.spotted("红轴") == 0);
@@ -78,7 +78,7 @@ TEST_CASE("a name that stands nowhere, or in two lines, is not found") {
   CHECK_FALSE(Legend({"青轴", "青轴"}).spotted("青轴"));
 }
 
-TEST_CASE("a name that a curve runs through is not told") {
+TEST_CASE("a name that a curve runs through is not recognised") {
   Legend legend({"红轴", "青轴"});
   legend.traces[0].points_px.push_back(legend.words[1].middle());
   CHECK_FALSE(legend.spotted("青轴"));

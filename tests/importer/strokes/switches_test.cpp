@@ -62,7 +62,7 @@ TEST_CASE("A name is found without its accents", "[switches]") {
 TEST_CASE("Where one of several names was not read its place says that it is a switch's", "[switches]") {
   std::vector<CurveTrace> traces{tracedSwitch("1.6 N", 10, 1), tracedSwitch("2.6 N", 60, 2, 1),
                                  tracedSwitch("", 90, 3, 2)};
-  CHECK(switchesAmong(traces).size() != 3);  // a curve beside them that no legend lists
+  CHECK(switchesAmong(traces).size() != 3);  // a curve beside the legend's curves that no entry lists
   traces[2].labelBox_px = {400, 50, 460, 62};
   const auto switches = switchesAmong(traces);
   CHECK(namesOf(switches) == Names{"1.6 N", "2.6 N", ""});
@@ -114,7 +114,7 @@ TEST_CASE("Press and release come together by the rest of their names", "[switch
   CHECK(switches[2].traces == std::vector<std::size_t>{5, 4});
 }
 
-TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[switches]") {
+TEST_CASE("Loops that the tracer parted in colours of their own need no legend", "[switches]") {
   std::vector<CurveTrace> traces{tracedSwitch("", 10, 1), tracedSwitch("", 20, 1), tracedSwitch("", 40, 2),
                                  tracedSwitch("", 50, 2)};
   traces[0].stroke = traces[2].stroke = Stroke::release;
@@ -152,7 +152,7 @@ TEST_CASE("Of several curves without names those that close a loop are one switc
   CHECK(switches[1].traces == std::vector<std::size_t>{0, 3});
   CHECK_FALSE(separateStrokes(traces, AxesFound{}).ok());
 
-  SECTION("More of a foot than of an end may lie under other lines, where all begin") {
+  SECTION("More of a beginning than of an end may lie under other lines, where all begin") {
     traces[1].points_px.erase(traces[1].points_px.begin(), traces[1].points_px.begin() + 5);
     CHECK(switchesAmong(traces).size() == 2);
     traces[1].points_px.erase(traces[1].points_px.begin(), traces[1].points_px.begin() + 4);
@@ -217,7 +217,7 @@ TEST_CASE("Beside press and release a mark without a name is none of them", "[sw
 TEST_CASE("A line without a name that only falls is no stroke beside a named one", "[switches]") {
   CurveTrace arrow = tracedSwitch("", 0, 3);
   for (Point& p : arrow.points_px) p.y = 100 + 0.5 * p.x;
-  std::ranges::reverse(arrow.points_px);  // from its tip
+  std::ranges::reverse(arrow.points_px);  // traced from its tip
   const std::vector<CurveTrace> traces{tracedSwitch("press", 60, 1), arrow, tracedSwitch("", 10, 2)};
   const auto switches = switchesAmong(traces);
   REQUIRE(switches.size() == 1);
@@ -264,7 +264,7 @@ TEST_CASE("Names that no list has are strokes' where their curves end in one poi
   }
 }
 
-TEST_CASE("A switch is asked for by name or number", "[switches]") {
+TEST_CASE("A switch is requested by name or number", "[switches]") {
   const std::vector<CurveTrace> traces{tracedSwitch("Switch A", 40, 1, 0), tracedSwitch("Switch 8", 20, 2, 1),
                                        tracedSwitch("Gateron", 60, 3, 2),
                                        tracedSwitch("Gateron upstroke", 50, 4, 3)};
@@ -291,7 +291,8 @@ TEST_CASE("A switch is asked for by name or number", "[switches]") {
   }
 }
 
-TEST_CASE("One letter within a long word may be misread; what tells switches apart may not", "[switches]") {
+TEST_CASE("One letter within a long word may be misread; one that distinguishes switches may not",
+          "[switches]") {
   const auto chosen = [](const Names& read, const std::string& wanted) -> std::optional<std::size_t> {
     std::vector<CurveTrace> traces;
     for (const std::string& name : read)
@@ -314,7 +315,7 @@ TEST_CASE("One letter within a long word may be misread; what tells switches apa
   CHECK_FALSE(chosen({"Rod", "Blue"}, "Red"));
 }
 
-TEST_CASE("A name that was read near to the one asked for is said", "[switches]") {
+TEST_CASE("A name that was read near to the requested one is reported", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
   const std::vector<CurveTrace> traces{tracedSwitch("Linear 45", 40, 1, 0),
@@ -331,7 +332,8 @@ TEST_CASE("A name that was read near to the one asked for is said", "[switches]"
   for (const char* wanted : {"tachile-45", "2", "Linear 45"}) CHECK_FALSE(near(wanted));
 }
 
-TEST_CASE("Presses in inks of their own that no switch could have both are offered by number", "[switches]") {
+TEST_CASE("Presses in colours of their own that no switch could have both are offered by number",
+          "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
   const std::vector<CurveTrace> shorter = loop(80, 220, 0, 1), longer = loop(20, 300, 0, 5);
@@ -346,7 +348,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
   REQUIRE(first.ok());
   CHECK_FALSE(first->value.release);
   CHECK(first->value.press.points_px == shortest[0].points_px);  // the upper one counts first
-  CHECK(first->confidence <= 0.6);                               // nothing says that it has no release
+  CHECK(first->confidence <= 0.6);  // nothing shows that this switch has no release
 
   SECTION("they end together, and cross") {
     std::vector<CurveTrace> crossing{tracedSwitch("", 10, 1), tracedSwitch("", 10, 5)};
@@ -355,7 +357,7 @@ TEST_CASE("Presses in inks of their own that no switch could have both are offer
     for (Point& p : crossing[0].points_px)  // a snap that comes earlier on the way back
       if (p.x > 150 && p.x < 240) p.y = 300 - 10 - 0.3 * p.x - 10;
     CHECK(switchesAmong(crossing).size() == 1);
-    for (Point& p : crossing[0].points_px) p.x *= 0.95;  // ends elsewhere: a press of its own
+    for (Point& p : crossing[0].points_px) p.x *= 0.95;  // a curve that ends elsewhere is another press
     CHECK(switchesAmong(crossing).size() == 2);
     crossing[0].color = crossing[1].color;  // strokes of one colour that the tracer may have exchanged
     CHECK(switchesAmong(crossing).size() == 1);
@@ -383,7 +385,7 @@ TEST_CASE("Strokes whose names were read alike are one switch's where they close
   CHECK(switchesAmong(traces).size() == 2);
 }
 
-TEST_CASE("A name of which the legend's sample hid the beginning is found by its end", "[switches]") {
+TEST_CASE("A name of which the legend key hid the beginning is found by its end", "[switches]") {
   const std::vector<CurveTrace> traces{tracedSwitch("ple 1", 40, 1, 0), tracedSwitch("Sample 2", 20, 2, 1),
                                        tracedSwitch("ple 3", 60, 3, 2)};
   const auto switches = switchesAmong(traces);
@@ -457,7 +459,7 @@ TEST_CASE("A curve whose end another switch's covers is not taken for the whole"
   CHECK(separateStrokes({whole, part}, axes, hints).ok());
 }
 
-TEST_CASE("A stroke whose foot lies under another switch's runs down with that one", "[switches]") {
+TEST_CASE("A stroke whose beginning lies under another switch's runs down with that one", "[switches]") {
   AxesFound axes;
   axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
   CurveTrace steep = tracedSwitch("Switch A", 90, 1, 0), covered = tracedSwitch("Switch B", 40, 2, 1);

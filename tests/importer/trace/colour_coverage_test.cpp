@@ -37,7 +37,7 @@ PlotScene sceneWithLine() {
 
 }  // namespace
 
-TEST_CASE("unmix: an ink that is what lies behind it explains nothing there") {
+TEST_CASE("unmix: a colour equal to its background explains nothing there") {
   const PlotScene scene = sceneWithLine();
   REQUIRE(scene.onLine(5, kLine_px));
   const Coverage coverage = unmix(
@@ -64,7 +64,7 @@ TEST_CASE("scene: a colour's coverage is what is like it, lines too, and is reck
   CHECK(scene.lettering().mask.size() == scene.area().pixels());
 }
 
-TEST_CASE("palette: black letters are an ink beside grey lines") {
+TEST_CASE("palette: black letters are a colour beside grey lines") {
   constexpr int width_px = 300, height_px = 160;
   Raster raster{width_px, height_px, std::vector<std::uint8_t>(3 * width_px * height_px, 255)};
   cv::Mat picture(height_px, width_px, CV_8UC3, raster.rgb.data());

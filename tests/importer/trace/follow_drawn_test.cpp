@@ -69,7 +69,7 @@ double rms(const std::vector<Point>& line, double from = 0, double to = 1e9) {
 
 }  // namespace
 
-TEST_CASE("a line clicked beside the ink comes to its middle") {
+TEST_CASE("a line clicked beside the curve comes to its middle") {
   for (const double width : {1.0, 2.0, 4.0}) {
     Paper paper(400, 200);
     paper.curve(hill, black, width);
@@ -88,7 +88,7 @@ TEST_CASE("gridlines near and across do not pull it away") {
   CHECK(rms(followDrawn(paper.raster, clicked(3))) < 0.4);
 }
 
-TEST_CASE("a gap in the ink is bridged, and without ink the line stays as drawn") {
+TEST_CASE("a gap in the curve is bridged, and without a curve the line stays as drawn") {
   Paper paper(400, 200);
   paper.curve(hill, black, 2, 0, 170);
   paper.curve(hill, black, 2, 215, 400);

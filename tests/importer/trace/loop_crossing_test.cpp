@@ -44,8 +44,8 @@ TEST_CASE("Lines that cross do, at small angles and large ones, straight and ben
 }
 
 TEST_CASE("Strokes that run close to each other up one steep rise do not cross", "[crossing]") {
-  // Both bend up and level out again, the lower one a few px farther down: where they are one band, the upper
-  // one comes in level and goes out steep, the lower one the other way round.
+  // Both curves bend up and level out again, the lower one a few px lower. At their common band the upper
+  // one enters level and leaves steep, the lower one enters steep and leaves level.
   const double lower_px = GENERATE(14.0, 20.0), width = GENERATE(3.0, 5.0);
   const auto bent = [](double along, double shifted_px) {
     const double flat_px = 300, rise_px = 60, run_px = 12;

@@ -290,7 +290,8 @@ TEST_CASE("Tints that compression leaves beside a line are no curves", "[trace]"
       REQUIRE(traces.ok());
       REQUIRE(traces->size() == 2);
       CHECK(apart(ofColor(*traces, pressColour).points_px, clippedAtTop(plot, down)) < 0.3);
-      CHECK(apart(ofColor(*traces, releaseColour).points_px, up) < 2);  // the press hides a part of it
+      CHECK(apart(ofColor(*traces, releaseColour).points_px, up) <
+            2);  // the press hides a part of the release
     }
 }
 
@@ -334,7 +335,7 @@ TEST_CASE("Shades that compression makes of thin lines on dark paper belong to t
   const auto traces = plot.trace();
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
-  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // the other hides a part of it
+  CHECK(apart(ofColor(*traces, sky).points_px, down) < 2);  // the other curve hides a part of it
   CHECK(apart(ofColor(*traces, lime).points_px, up) < 1);
 }
 
@@ -346,7 +347,7 @@ TEST_CASE("A tolerance band around a curve is no second stroke", "[trace]") {
     plot.line(down, 30, kRed, true, 0.3);
     plot.line(down, 2.5, kBlue, true);
   }
-  SECTION("in its own hue: not believed, if not told apart") {
+  SECTION("in its own hue: not believed, if not distinguished") {
     plot.line(down, 44, kBlue, true, 0.25);
     plot.line(down, 2.5, kBlue, true);
     const auto traces = plot.trace();
@@ -400,7 +401,8 @@ TEST_CASE("Thin pale lines of a 300 px picture", "[trace]") {
 }
 
 TEST_CASE(
-    "A wall that loses its colour to half resolution is followed to its tip, and named as its stroke is",
+    "A bottom-out that loses its colour to half resolution is followed to its tip, and named as its stroke "
+    "is",
     "[trace]") {
   const Rgb sky{0, 128, 255}, rose{255, 0, 255};
   for (const int quality : {75, 85, 92}) {
@@ -434,7 +436,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A wall that hides the other stroke's ends no stroke along a gridline", "[trace]") {
+TEST_CASE("A bottom-out that hides the other stroke's ends no stroke along a gridline", "[trace]") {
   const Rgb blue{37, 92, 148}, lime{190, 223, 58};
   Plot plot(614, 413);
   plot.grid(9, 24, {120, 120, 120});
@@ -523,7 +525,7 @@ TEST_CASE("A curve with markers as large as they are drawn is a curve, no filled
   for (const CurveTrace& trace : *besideABand) CHECK(trace.color.b > trace.color.r);
 }
 
-TEST_CASE("What runs along the frame's upper line after a leap over bare paper is none of a stroke",
+TEST_CASE("A line along the frame's upper edge after a jump over bare paper belongs to no stroke",
           "[trace]") {
   Plot plot(700, 430);
   plot.grid(1, 1, kBlack);
@@ -543,7 +545,7 @@ TEST_CASE("What runs along the frame's upper line after a leap over bare paper i
   CHECK(std::abs(left.x - plot.at(0, 0).x) < 1);
   CHECK(std::abs(right.x - plot.at(0.7, 0).x) < 3);
   CHECK(traces[0].width_px.size() == traces[0].points_px.size());
-  // Where its pixels lead up there, it goes on.
+  // Curve pixels lead up to the edge here, so nothing is cut.
   plot.line(plot.at({{0.7, 0.8}, {0.69, 1}}), 2, kBlue);
   traces = {stroke};
   trace::cutAcrossToEdges(traces, plot.scene());
@@ -617,7 +619,7 @@ TEST_CASE("Coloured edges of letters are no curves", "[trace]") {
   CHECK(apart(ofColor(*traces, {255, 150, 60}).points_px, up) < 0.5);
 }
 
-TEST_CASE("A pale arrow that stands on the curve near its wall is no part of it", "[trace]") {
+TEST_CASE("A pale arrow that stands on the curve near its bottom-out is no part of it", "[trace]") {
   Plot plot(908, 551);
   plot.grid(9, 12, kGrey);
   const Curve down = plot.at(press()), up = plot.at(release());
@@ -665,8 +667,9 @@ const CurveTrace& strokeOf(const std::vector<CurveTrace>& traces, Stroke stroke)
 
 }  // namespace
 
-TEST_CASE("A wall that stands on a gridline, or on the frame's edge, belongs to the strokes that end there",
-          "[trace]") {
+TEST_CASE(
+    "A bottom-out that stands on a gridline, or on the frame's edge, belongs to the strokes that end there",
+    "[trace]") {
   const double x = GENERATE(0.75, 1.0);
   Plot plot(700, 430);
   plot.grid(8, 6, kBlack, 1);
@@ -684,7 +687,7 @@ TEST_CASE("A wall that stands on a gridline, or on the frame's edge, belongs to 
   }
 }
 
-TEST_CASE("A lost wall is found whatever level line stands above its foot", "[trace]") {
+TEST_CASE("A lost bottom-out is found whatever level line stands above its lower end", "[trace]") {
   const int rows = GENERATE(range(5, 13));
   INFO(rows);
   Plot plot(440, 260);
@@ -700,7 +703,8 @@ TEST_CASE("A lost wall is found whatever level line stands above its foot", "[tr
   CHECK(traces[0].points_px.back().y < plot.at(0.75, 0.97).y);
 }
 
-TEST_CASE("A wall little thicker than the line it stands on is told by every row of it", "[trace]") {
+TEST_CASE("A bottom-out little thicker than the line it stands on is recognised by every row of it",
+          "[trace]") {
   const double x = GENERATE(0.75, 1.0);
   Plot plot(700, 430);
   plot.grid(8, 6, kBlack, 2);
@@ -717,7 +721,7 @@ TEST_CASE("A wall little thicker than the line it stands on is told by every row
   }
 }
 
-TEST_CASE("A line drawn twice above a curve's end, as thin as the curve, is no wall", "[trace]") {
+TEST_CASE("A line drawn twice above a curve's end, as thin as the curve, is no bottom-out", "[trace]") {
   const double x = GENERATE(0.75, 1.0);
   Plot plot(700, 430);
   plot.grid(8, 6, kBlack, 2);
@@ -731,7 +735,7 @@ TEST_CASE("A line drawn twice above a curve's end, as thin as the curve, is no w
     for (const Point& p : trace.points_px) CHECK(p.y > plot.at(x, 0.65).y);
 }
 
-TEST_CASE("A gridline above a curve's end is no wall", "[trace]") {
+TEST_CASE("A gridline above a curve's end is no bottom-out", "[trace]") {
   const double x = GENERATE(0.75, 1.0);
   Plot plot(700, 430);
   plot.grid(8, 6, kBlack, 2);
@@ -744,7 +748,8 @@ TEST_CASE("A gridline above a curve's end is no wall", "[trace]") {
     for (const Point& p : trace.points_px) CHECK(p.y > plot.at(x, 0.65).y);
 }
 
-TEST_CASE("A frame in a curve's ink is no wall of a curve that runs into its lower corner", "[trace]") {
+TEST_CASE("A frame in a curve's colour is no bottom-out of a curve that runs into its lower corner",
+          "[trace]") {
   const double frame_px = GENERATE(2.0, 3.0);
   Plot plot(700, 430);
   plot.grid(8, 6, {230, 230, 230}, 1);
@@ -814,7 +819,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(left.atAnEnd);
     CHECK(left.likeness > 0.9);
   }
-  SECTION("a wall of one pixel that stands on a gridline") {
+  SECTION("a bottom-out of one pixel that stands on a gridline") {
     Plot thin(700, 430);
     thin.grid(8, 6, kGrey, 1);
     loop = loopEndingAt(0.75);
@@ -854,7 +859,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(left.atAnEnd);
     CHECK(left.likeness > 0.9);
   }
-  SECTION("marks on from the curve's end, up a wall; level ones are a name's letters") {
+  SECTION("marks on from the curve's end, up a bottom-out; level ones are a name's letters") {
     const bool level = GENERATE(false, true);
     const Point end = plot.at(loop.press.back().x, loop.press.back().y);
     for (const double on : {18, 40, 62, 84, 106}) {
@@ -894,7 +899,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     for (const Curve& dash : dashesOf(plot.at({{0.2, 0.5}, {0.24, 0.44}}))) plot.line(dash, 3, kBlue);
     CHECK(worst({press}).likeness < 0.2);
   }
-  SECTION("another ink") {
+  SECTION("another colour") {
     plot.line(plot.at(loop.release), 3, kRed);
     CHECK(worst({press}).likeness < 0.2);
   }
@@ -905,7 +910,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(left() == 1);
     press.labelBox_px = {to.x + 6, to.y - 7, to.x + 60, to.y + 7};
     CHECK(left() == 0);
-    // In another row, or far away, it is a piece of a line.
+    // A text in another row, or far away, does not belong to this line.
     press.labelBox_px = {to.x + 6, to.y + 7, to.x + 60, to.y + 21};
     CHECK(left() == 1);
     press.labelBox_px = {to.x + 60, to.y - 7, to.x + 120, to.y + 7};
@@ -913,7 +918,7 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
   }
 }
 
-TEST_CASE("Gridlines of dots in the curve's ink are the plot's, a wall drawn through on one of them is not",
+TEST_CASE("Gridlines of dots in the curve's colour are the plot's, a solid bottom-out on one of them is not",
           "[trace]") {
   Plot plot(700, 430);
   const Loop loop = loopEndingAt(0.7);
@@ -982,7 +987,7 @@ TEST_CASE("A line of dashes is not drawn through where some of them are longer",
   CHECK(explain(plot.scene(), {press}).jumps.empty());
 }
 
-TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen", "[trace]") {
+TEST_CASE("A curve that crosses bare paper where its pixels do not lead is seen", "[trace]") {
   Plot plot(700, 430);
   Loop loop = loopEndingAt(0.7);
   plot.line(plot.at(loop.press), 3, kBlue);
@@ -999,7 +1004,7 @@ TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen",
   CHECK(jumps().front().from_px.x == Approx(plot.at(0.5, 0).x).margin(8));
 }
 
-TEST_CASE("A title across the wall, arrows in the curve's hue, a legend beside its samples", "[trace]") {
+TEST_CASE("A title across the bottom-out, arrows in the curve's hue, a legend beside its keys", "[trace]") {
   Plot plot(908, 551);
   plot.grid(9, 12, kGrey);
   const Curve down = plot.at(press()), up = plot.at(release());
@@ -1054,7 +1059,7 @@ TEST_CASE("A legend's box hides the middle of a curve and more than is left of i
   CHECK(apart(ofColor(*traces, kBlue).points_px, plot.at(down)) < 0.6);
 }
 
-TEST_CASE("Dashes of an ink of their own are linked", "[trace]") {
+TEST_CASE("Dashes of a colour of their own are linked", "[trace]") {
   Plot plot(800, 500);
   const Curve down = plot.at(press()), up = plot.at(release());
   plot.grid(1, 1, kBlack);
@@ -1137,7 +1142,7 @@ TEST_CASE("One curve alone is one trace; more than two are all given", "[trace]"
   CHECK(all->size() == 4);
 }
 
-TEST_CASE("Both strokes in one coloured ink are told apart by their course", "[trace]") {
+TEST_CASE("Both strokes in one colour are distinguished by their path", "[trace]") {
   Plot plot(800, 500);
   plot.grid(6, 6, kBlack);
   const Curve down = plot.at(press()), up = plot.at(release());
@@ -1150,7 +1155,7 @@ TEST_CASE("Both strokes in one coloured ink are told apart by their course", "[t
   CHECK(traces->front().stroke != traces->back().stroke);
 }
 
-TEST_CASE("Beside loops in inks of their own one in the frame's ink is another switch", "[trace]") {
+TEST_CASE("Beside loops in colours of their own one in the frame's colour is another switch", "[trace]") {
   Plot plot(800, 500);
   plot.grid(6, 6, {214, 214, 214});
   plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 2, kBlack);
@@ -1309,7 +1314,7 @@ TEST_CASE("Short names of a legend, and the places of those not read, come to it
   plot.line(plot.at(press()), 2, kBlue, true);
   plot.line({{935, 100}, {955, 100}}, 2, kRed);
   plot.line({{935, 120}, {955, 120}}, 2, kBlue);
-  const double far = GENERATE(0.0, 6.0);  // from a sample to its word
+  const double far = GENERATE(0.0, 6.0);  // px from a legend key to its text
   const Box red{960 + far, 94, 996, 106}, blue{960 + far, 114, 998, 126};
   Plot one = plot, read = plot, unread = plot;
   one.sayOther("TS-10", red);
@@ -1332,7 +1337,7 @@ TEST_CASE("A filled square beside a name is its curve's sample", "[trace]") {
   plot.grid(6, 6, kGrey);
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, kBlue, true);
-  const double half = GENERATE(6.0, 20.0);  // of its height; letters are 12 px high
+  const double half = GENERATE(6.0, 20.0);  // half height of the key; letters are 12 px high
   const double apart = 2 * half + 8;
   plot.line({{940, 100}, {956, 100}}, 2 * half, kRed);
   plot.line({{940, 100 + apart}, {956, 100 + apart}}, 2 * half, kBlue);
@@ -1344,7 +1349,7 @@ TEST_CASE("A filled square beside a name is its curve's sample", "[trace]") {
   CHECK(ofColor(traces, kBlue).label == (half < 10 ? "New" : ""));
 }
 
-TEST_CASE("A number of the axis level with a legend's sample names no curve", "[trace]") {
+TEST_CASE("A tick label level with a legend key names no curve", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(6, 6, kGrey);
   plot.line(plot.at(release()), 2, kRed, true);
@@ -1360,7 +1365,7 @@ TEST_CASE("A number of the axis level with a legend's sample names no curve", "[
   CHECK(ofColor(plot.trace().value(), kRed).label == (isTick ? "" : "2"));
 }
 
-TEST_CASE("Where a legend has no samples its letters' inks are the key", "[trace]") {
+TEST_CASE("Where a legend has no keys its letters' colours are the key", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(6, 6, kGrey);
   plot.line(plot.at(release()), 2, kRed, true);
@@ -1407,7 +1412,7 @@ TEST_CASE("The minus of a short name is no sample, and a sample in small print i
   CHECK(ofColor(traces, kBlue).label == "20 C");
 }
 
-TEST_CASE("The name of a curve in the frame's ink is found in line with the others", "[trace]") {
+TEST_CASE("The name of a curve in the frame's colour is found in line with the others", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(1, 1, kBlack);
   const auto ending = [&](double end, double height) {
@@ -1442,7 +1447,7 @@ TEST_CASE("The paper of a large picture is as it is, to a tenth of a level", "[t
   CHECK(paper.b == Approx(248).margin(0.1));
 }
 
-TEST_CASE("Three switches, each a line and dashes in an ink of its own near the others'", "[trace]") {
+TEST_CASE("Three switches, each a line and dashes in a colour of its own near the others'", "[trace]") {
   // Violet lies between red and blue: their edges are no third line in it.
   const Rgb red{226, 74, 51}, blue{52, 138, 189}, violet{152, 142, 213};
   Plot plot(700, 500);
@@ -1491,7 +1496,7 @@ Curve upToABottomOut(double below) {
 
 }  // namespace
 
-TEST_CASE("A line in dashes of a paler shade of the other's ink is a curve of its own", "[trace]") {
+TEST_CASE("A line in dashes of a paler shade of the other's colour is a curve of its own", "[trace]") {
   const Rgb darkGrey{34, 34, 34}, paleGrey{170, 170, 170}, sky{150, 180, 208}, gridColour{225, 225, 225};
   for (const auto& [colour, shade] :
        {std::pair(darkGrey, paleGrey), std::pair(kBlue, sky), std::pair(kBlue, paleGrey)}) {
@@ -1532,7 +1537,8 @@ TEST_CASE("A pale line that was not traced is seen beside one that was", "[expla
 }
 
 TEST_CASE(
-    "Releases in dashes close below their presses are told, led up the walls and named by their samples",
+    "Releases in dashes close below their presses are recognised, led up the bottom-outs and named by their "
+    "keys",
     "[trace]") {
   // Nearer than two lines of one colour that are separated by their paths.
   constexpr double below = 0.016, width_px = 2;
@@ -1588,7 +1594,7 @@ TEST_CASE("Rims of the markers on press and release are no strokes in dashes", "
   CHECK(plot.trace()->size() == 2);
 }
 
-TEST_CASE("Beside two shades of a colour two shades of the frame's ink are another switch's strokes",
+TEST_CASE("Beside two shades of a colour two shades of the frame's colour are another switch's strokes",
           "[trace]") {
   const Rgb pink{217, 38, 121}, palePink{247, 168, 208}, slate{47, 64, 84}, paleSlate{145, 161, 184};
   Plot plot(900, 550);
@@ -1610,7 +1616,7 @@ TEST_CASE("Beside two shades of a colour two shades of the frame's ink are anoth
   CHECK(apart(ofColor(*traces, paleSlate).points_px, up) < 1);
 }
 
-TEST_CASE("Beside two curves in colours one in the frame's ink begins where they do", "[trace]") {
+TEST_CASE("Beside two curves in colours one in the frame's colour begins where they do", "[trace]") {
   const auto drawn = [](Point from, double end) {
     Plot plot(900, 500);
     plot.grid(6, 6, {214, 214, 214});
@@ -1625,7 +1631,7 @@ TEST_CASE("Beside two curves in colours one in the frame's ink begins where they
   CHECK(drawn({0, 0}, 0.65) == 2);    // a leader
 }
 
-TEST_CASE("Beside three curves in colours one in the frame's ink is a curve as well", "[trace]") {
+TEST_CASE("Beside three curves in colours one in the frame's colour is a curve as well", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(1, 1, kBlack);
   const auto ending = [&](double height) {
@@ -1638,7 +1644,7 @@ TEST_CASE("Beside three curves in colours one in the frame's ink is a curve as w
   CHECK(plot.trace()->size() == 4);
 }
 
-TEST_CASE("Names in their curves' inks, wherever they stand beside three curves and more", "[trace]") {
+TEST_CASE("Names in their curves' colours, wherever they stand beside three curves and more", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(5, 5, kGrey);
   const bool three = GENERATE(false, true);
@@ -1657,7 +1663,7 @@ TEST_CASE("Names in their curves' inks, wherever they stand beside three curves 
   CHECK(ofColor(traces, kBlue).label == (three ? "New" : ""));
 }
 
-TEST_CASE("Of two curves the words for press and release in their inks name them", "[trace]") {
+TEST_CASE("Of two curves the words for press and release in their colours name them", "[trace]") {
   Plot plot(1000, 500);
   plot.grid(5, 5, kGrey);
   const std::string second = GENERATE("Upstroke", "Downstroke");
@@ -1700,10 +1706,11 @@ TEST_CASE("A sample may have its curve's marker in the middle, and a box behind 
   const Rgb slate{44, 62, 80};
   plot.line(plot.at(release()), 2, kRed, true);
   plot.line(plot.at(press()), 2, slate, true);
-  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal, true);  // no name stands for it
+  // a curve without a name in the legend
+  plot.line(plot.at({{0, 0}, {0.4, 0.15}, {0.9, 0.2}}), 2, kTeal, true);
   const double x = plot.box().x0 + 120;
   for (const double y : {60.0, 80.0}) plot.line({{x, y}, {x + 26, y}}, 2, y > 70 ? slate : kRed);
-  // Names behind their samples, or before them.
+  // Names behind their legend keys, or before them.
   const auto [toName, radius] = GENERATE(std::pair(32.0, 5.0), std::pair(-58.0, 8.0));
   plot.disc((x + 13 - plot.box().x0) / plot.box().width(), (plot.box().y1 - 60) / plot.box().height(), radius,
             kRed);

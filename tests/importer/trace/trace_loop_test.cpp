@@ -64,7 +64,7 @@ class Plot {
     for (double y = 0; y < 1; y += 0.024) line({at(x, y), at(x, y + 0.014)}, width);
   }
 
-  /// Something as dense as a word, on a hole in whatever was below.
+  /// Draws marks as dense as a word, and erases the background behind them.
   void word(double x, double y, int glyphs) {
     const double h = 0.035 * (bottom_ - top_), w = 0.6 * h;
     const Point corner = at(x, y);
@@ -209,7 +209,7 @@ void checkLoop(const Plot& plot, const Loop& loop, double mean_px, double confid
 
 }  // namespace
 
-TEST_CASE("loop: two strokes on a grid of the same ink and width", "[trace_loop]") {
+TEST_CASE("loop: two strokes on a grid of the same colour and width", "[trace_loop]") {
   for (double stroke : {1.3, 2.0, 3.5}) {
     Plot plot(640, 520, stroke);
     plot.grid(8, 6, stroke);
@@ -262,7 +262,7 @@ TEST_CASE("loop: strokes that merge to one band keep their own sides", "[trace_l
   REQUIRE(result.ok());
   REQUIRE(result->size() == 2);
   checkLoop(plot, loop, 0.45);
-  // On the merged stretch the press stays above the release by about what was drawn.
+  // On the merged stretch the press stays above the release by about the drawn distance.
   const auto rowAt = [&](const CurveTrace& t, double x) {
     double y = 0, best = 1e9;
     for (Point p : t.points_px)
@@ -339,7 +339,7 @@ TEST_CASE("loop: pieces between the lines of a fine grid are not taken for lette
   checkLoop(plot, loop, 0.7, 0.3);
 }
 
-TEST_CASE("loop: intercepts on the force axis and a wall on the last gridline", "[trace_loop]") {
+TEST_CASE("loop: intercepts on the force axis and a bottom-out on the last gridline", "[trace_loop]") {
   Plot plot(640, 480, 2);
   plot.grid(8, 6, 2);
   const Loop loop{through({{0.0, 0.30}, {0.3, 0.45}, {0.96, 0.70}}),
@@ -362,7 +362,7 @@ TEST_CASE("loop: a latch branch is not part of the strokes", "[trace_loop]") {
   checkLoop(plot, loop, 0.6);
 }
 
-TEST_CASE("loop: the release of a key that locks ends at the foot in the middle of the travel",
+TEST_CASE("loop: the release of a key that locks ends at the baseline in the middle of the travel",
           "[trace_loop]") {
   Plot plot(800, 600, 2);
   plot.grid(8, 6, 0.5);
@@ -373,7 +373,7 @@ TEST_CASE("loop: the release of a key that locks ends at the foot in the middle 
   CHECK(plot.trace()->front().confidence > 0.8);
 }
 
-TEST_CASE("loop: two switches in one ink are refused, whatever two of their strokes would look like",
+TEST_CASE("loop: two switches in one colour are refused, whatever two of their strokes would resemble",
           "[trace_loop]") {
   Plot plot(800, 600, 2);
   plot.grid(8, 6, 1);
@@ -388,7 +388,7 @@ TEST_CASE("loop: two switches in one ink are refused, whatever two of their stro
   CHECK(result.failure().reason == nameOf(DoubtCode::tooManyCurves));
 }
 
-TEST_CASE("loop: two switches whose straight strokes cross are refused in one ink", "[trace_loop]") {
+TEST_CASE("loop: two switches whose straight strokes cross are refused in one colour", "[trace_loop]") {
   Plot plot(800, 500, 2);
   plot.grid(9, 6, 0.6);
   for (const double lower : {0.0, 0.09}) {
@@ -409,9 +409,8 @@ TEST_CASE("loop: two switches whose straight strokes cross are refused in one in
   CHECK(result.failure().reason == nameOf(DoubtCode::tooManyCurves));
 }
 
-TEST_CASE("loop: presses of two switches without their releases are refused in one ink", "[trace_loop]") {
-  // Of two bottom-outs at different travels one is left over, or the lower press goes on farther than the
-  // upper.
+TEST_CASE("loop: presses of two switches without their releases are refused in one colour", "[trace_loop]") {
+  // A bottom-out at another travel is left over, or the lower press goes on farther than the upper.
   const auto [end, top] = GENERATE(table<double, double>({{0.62, 0.92}, {0.72, 0.9}}));
   CAPTURE(end, top);
   Plot plot(800, 600, 2);
@@ -423,8 +422,9 @@ TEST_CASE("loop: presses of two switches without their releases are refused in o
   CHECK_FALSE(result.ok());
 }
 
-TEST_CASE("loop: two presses that cross are refused in one ink, walls that lie on each other or cross",
-          "[trace_loop]") {
+TEST_CASE(
+    "loop: two presses that cross are refused in one colour, bottom-outs that lie on each other or cross",
+    "[trace_loop]") {
   const double end = GENERATE(0.84, 0.8);
   CAPTURE(end);
   Plot plot(800, 600, 2);
@@ -435,7 +435,7 @@ TEST_CASE("loop: two presses that cross are refused in one ink, walls that lie o
 }
 
 TEST_CASE("loop: a stroke that changes over to another line is refused", "[trace_loop]") {
-  // Both must end as far out: the upper one leaves its line for the lower one's.
+  // Both strokes must end at the same travel: the upper one goes over to the lower one's line.
   Plot plot(800, 600, 2);
   plot.grid(4, 6, 0.5);
   plot.curve(plot.at(Curve{{0.0, 0.02}, {0.05, 0.26}, {0.6, 0.34}, {0.64, 0.6}}));
@@ -443,8 +443,8 @@ TEST_CASE("loop: a stroke that changes over to another line is refused", "[trace
   CHECK_FALSE(plot.trace().ok());
 }
 
-TEST_CASE("loop: a wall that goes on in dashes ends before the first of them", "[trace_loop]") {
-  constexpr double dash = 0.1, gap = 0.06, knee = 0.5;  // of the frame's height
+TEST_CASE("loop: a bottom-out that goes on in dashes ends before the first of them", "[trace_loop]") {
+  constexpr double dash = 0.1, gap = 0.06, knee = 0.5;  // share of the frame's height
   Plot plot(800, 600, 2);
   plot.grid(4, 6, 1);
   const Loop loop{{{0.0, 0.35}, {0.80, knee}}, {{0.0, 0.2}, {0.45, 0.25}, {0.5, 0.37}, {0.84, knee - 0.06}}};
@@ -568,8 +568,9 @@ Curve straight(Point a, Point b) {
 
 }  // namespace
 
-TEST_CASE("loop: gridlines are explained, a guide to the curve is weakened, the curve keeps its ink",
-          "[trace_loop]") {
+TEST_CASE(
+    "loop: gridlines are explained, a marker line to the curve is weakened, the curve keeps its coverage",
+    "[trace_loop]") {
   Plot plot(500, 420, 2);
   plot.grid(8, 6, 2);
   const Loop loop = tactileLoop(0.04);

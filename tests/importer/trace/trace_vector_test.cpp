@@ -199,7 +199,7 @@ TEST_CASE("words of a legend's row are their own sample's alone") {
   drawing.stroke({{500, 80}, {540, 80}});
   drawing.color = {55, 126, 184};
   drawing.stroke(release);
-  drawing.stroke({{606, 80}, {646, 80}});  // its own words were not read
+  drawing.stroke({{606, 80}, {646, 80}});  // the legend key of the curve whose text was not read
   drawing.axes.texts = {{"Old", {545, 72, 580, 88}, 1, 0}};
   const auto traces = drawing.traced();
   REQUIRE(traces.size() == 2);
@@ -215,7 +215,7 @@ TEST_CASE("a tick with its number is no legend") {
   CHECK(drawing.traced()[0].label.empty());
 }
 
-TEST_CASE("one ink: press above release, whatever the order and direction of drawing") {
+TEST_CASE("one colour: press above release, whatever the order and direction of drawing") {
   Drawing drawing;
   drawing.stroke(Polyline(release.rbegin(), release.rend()));
   drawing.stroke(press);
@@ -351,7 +351,7 @@ TEST_CASE("paths that leave the rest of a stroke over are not taken: the picture
   CHECK(drawing.traced().empty());
 }
 
-TEST_CASE("two presses in one ink are not taken for press and release: the picture decides") {
+TEST_CASE("two presses in one colour are not taken for press and release: the picture decides") {
   Drawing drawing;
   drawing.stroke(press);
   SECTION("lines that cross") {
@@ -418,7 +418,7 @@ TEST_CASE("a release that runs into the press shares its rest") {
   checkPair(drawing.traced(), press, whole, 0.3);
 }
 
-TEST_CASE("a wall drawn on its own belongs to both strokes; a thin continuation mark to none") {
+TEST_CASE("a bottom-out drawn on its own belongs to both strokes; a thin continuation mark to none") {
   Drawing drawing;
   const double top = pressForce(0.95);
   drawing.stroke(press);
@@ -438,7 +438,7 @@ TEST_CASE("a wall drawn on its own belongs to both strokes; a thin continuation 
   for (const CurveTrace& trace : marked.traced()) CHECK(trace.points_px.back().y > at(0, top + 0.02).y);
 }
 
-TEST_CASE("a wall drawn on its own over a gridline begins where a stroke ends; the gridline does not") {
+TEST_CASE("a bottom-out drawn on its own over a gridline begins where a stroke ends; the gridline does not") {
   const Polyline down = curve(releaseForce, 0, 0.75), up = curve(pressForce, 0, 0.75);
   Drawing drawing;
   drawing.stroke(up);
@@ -524,7 +524,7 @@ TEST_CASE("of two colours given, one of which no line has, the other's line is n
 }
 
 TEST_CASE(
-    "a short way back in an ink of its own is a stroke where it ends as the press does, a leader is none") {
+    "a short way back in a colour of its own is a stroke where it ends as the press does, a leader is none") {
   const auto low = [](double u) { return 0.2 + 0.3 * (u - 0.7) + 4 * std::pow(u - 0.7, 2); };
   const auto traced = [&](const Polyline& line) {
     Drawing drawing;
@@ -560,7 +560,7 @@ TEST_CASE("hints: colours choose and name, masks cut") {
   for (const CurveTrace& trace : drawing.traced(hints)) CHECK(trace.points_px.back().x == Approx(800));
 }
 
-TEST_CASE("a copy drawn over a curve costs no confidence; another curve in the ink does") {
+TEST_CASE("a copy drawn over a curve costs no confidence; another curve in the colour does") {
   Drawing drawing;
   drawing.stroke(press);
   drawing.stroke(release);

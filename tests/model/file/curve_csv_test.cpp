@@ -23,7 +23,7 @@ Result<ForceGraph> read(const std::string& rows) { return graphFromCsv(header + 
 
 }  // namespace
 
-TEST_CASE("rows are written in the order travelled, ends and walls exact") {
+TEST_CASE("rows are written in the order travelled, ends and vertical pieces exact") {
   const ForceGraph graph = tactileButton()->states()[0].graph;
   const std::string text = csvFrom(graph);
   CHECK(text.rfind(header, 0) == 0);

@@ -71,7 +71,7 @@ TEST_CASE("a plot speaks the reader's language and stands in millimetres") {
   CHECK_THAT(svg, !Catch::Contains("#0072b2") && !Catch::Contains(">0.5<"));
 }
 
-TEST_CASE("a band of tolerance is as wide as asked for, and named") {
+TEST_CASE("a band of tolerance is as wide as requested, and named") {
   SvgPlotStyle style;
   style.forceUnit = ForceUnit::centinewton;
   style.yEnds = AxisEnds{0, 200};
@@ -133,7 +133,7 @@ TEST_CASE("no leader runs under the name of another point, where points are clos
     REQUIRE(leaders.size() >= 4);
     REQUIRE(leaders.size() == plates.size());
     for (std::size_t i = 0; i < leaders.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)  // what is written before
+      for (std::size_t j = 0; j < i; ++j)  // elements written before
         for (int k = 0; k <= 50; ++k) {
           const auto [x0, y0, x1, y1] = leaders[i];
           const double x = x0 + (x1 - x0) * k / 50, y = y0 + (y1 - y0) * k / 50;

@@ -189,7 +189,7 @@ struct FalconRig::Bus {
       case USBDEVFS_CLAIMINTERFACE:
       case USBDEVFS_RELEASEINTERFACE:
         return {0, 0};
-      case USBDEVFS_GETDRIVER:  // no driver of the kernel has it
+      case USBDEVFS_GETDRIVER:  // no kernel driver has claimed the device
       case USBDEVFS_IOCTL:
         return {-1, ENODATA};
       case USBDEVFS_SUBMITURB:

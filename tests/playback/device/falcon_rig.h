@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A Novint Falcon that is none: its USB chip and its processor's boot loader under umockdev, so that Debian's
-// own libusb talks to it. What it should do is read from libnifalcon, not measured.
+// A simulated Novint Falcon: its USB chip and its processor's boot loader under umockdev, so that Debian's
+// own libusb talks to it. Its behaviour is taken from libnifalcon, not measured.
 
 #include <array>
 #include <atomic>
@@ -28,7 +28,7 @@ class FalconRig {
   std::atomic<std::uint64_t> packets{0};  ///< good ones
 
   // Faults.
-  std::atomic<int> badEchoes{0};  ///< so many uploads are spoilt in the middle
+  std::atomic<int> badEchoes{0};  ///< number of uploads that are spoilt in the middle
   enum class Answer : std::uint8_t { good, none, half, twice, nonsense };
   std::atomic<Answer> answer{Answer::good};
 
@@ -36,7 +36,7 @@ class FalconRig {
   void plugIn();
   /// As after the power switch: no firmware.
   void powerCycle();
-  /// The firmware it was given last, whole.
+  /// The last complete firmware that was uploaded.
   std::vector<std::uint8_t> firmware() const;
 
  private:

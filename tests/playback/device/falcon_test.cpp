@@ -85,7 +85,7 @@ TEST_CASE("Falcon kinematics: torques do the work of the force") {
   });
 }
 
-TEST_CASE("Falcon kinematics: out of reach, and not a number, is told") {
+TEST_CASE("Falcon kinematics: out of reach, and not a number, is reported") {
   for (const FalconPlace_mm& p :
        {FalconPlace_mm{0, 0, 300}, {200, 0, 120}, {std::nan(""), 0, 120}, {0, 0, INFINITY}}) {
     CHECK_FALSE(falconAngles_rad(p));

@@ -16,7 +16,7 @@ using namespace detent::playback;
 using detent::test::anyFalconFirmware;
 using detent::test::FalconRig;
 
-constexpr double period_s = 0.2;  // a loaded machine answers within half of it
+constexpr double period_s = 0.2;  // a loaded machine answers within half of this
 
 FalconSettings settingsWith(std::vector<std::uint8_t> firmware) {
   FalconSettings settings;
@@ -124,7 +124,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
     CHECK(device->counts().firmwareTries == 3);
     CHECK(settled(*device).fresh);
   }
-  // It keeps it: no file is needed until it is switched off.
+  // The device keeps its firmware: no file is needed until it is switched off.
   CHECK(opened(settingsWith({}))->counts().firmwareTries == 0);
   rig.powerCycle();
   rig.badEchoes = 1000;

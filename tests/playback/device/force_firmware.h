@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The firmware of samples/firmware/force1d as part of a program, for the host's tests at the 4 kHz of a 32 bit board: as an RP2040, whose clock,
-// encoder and motor are numbers. One source file of a program includes this. The firmware by itself is tested in tests/firmware.
+// The firmware of samples/firmware/force1d as part of a program, for the host's tests at the 4 kHz of a 32
+// bit board: as an RP2040, whose clock, encoder and motor are numbers. One source file of a program includes
+// this. The firmware by itself is tested in tests/firmware.
 
 #include <algorithm>
 #include <cstdint>

@@ -223,7 +223,7 @@ TEST_CASE("serial force device: late, repeated, broken and half answers are no r
   CHECK(device->counts().repeated >= 1);
 }
 
-TEST_CASE("serial force device: nobody there, a wrong port and a table that does not fit are told") {
+TEST_CASE("serial force device: nobody there, a wrong port and a table that does not fit are reported") {
   CHECK_FALSE(SerialForceDevice::open("/dev/null", 230400, 0.001, benchLimits()));
   CHECK_FALSE(SerialForceDevice::open("/nowhere", 230400, 0.001, benchLimits()));
   FakeDevice silent([](const std::string&) { return std::string(); });
@@ -323,7 +323,7 @@ TEST_CASE("serial force device: another button takes the table's place, without 
     CHECK(rising_N > 0);
     CHECK(rising_N < 5 * 0.011 / 0.2);  // along the ramp
     board.exchanges(40);
-    // It came to rest at 2 mm from above nothing: between release and press.
+    // The force came to rest at 2 mm between release and press, because it rose from 0.
     const StrokeCurve& release = *other.states().front().graph.release();
     CHECK(board.force_N() > release.force_N(2) - 0.02);
     CHECK(board.force_N() < pressAt2_N(other) + 0.02);
@@ -472,7 +472,7 @@ TEST_CASE(
   for (int i = 0; i < 230; ++i) command = engine.step(answered(*device, command));
   CHECK(command.force_N ==
         Approx(test::linearButton().states().front().graph.curve(Stroke::release).force_N(3)).margin(0.01));
-  position_nm = -40000000;  // as far from where it was as no hand moves
+  position_nm = -40000000;  // farther from the last position than a hand moves in this time
   const double held_N = command.force_N;
   for (int i = 0; i < 3; ++i) command = engine.step(answered(*device, command));
   CHECK(command.force_N == Approx(held_N));
@@ -560,7 +560,7 @@ TEST_CASE("serial force device: the board's switch and the host's stop end the f
   engine.emergencyStop();
   for (int i = 0; i < 10; ++i) exchange();
   CHECK(firmware::force_uN == 0);
-  // The same while the board runs its own table.
+  // Emergency stop while the board runs its own table.
   engine.rearm();
   REQUIRE(takesTable(*device, program));
   for (int i = 0; i < 300; ++i) exchange();
@@ -742,7 +742,7 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
     odrive.mode = 2;
     CHECK_FALSE(device->exchange({}).fresh);
     CHECK(device->counts().late >= 1);
-    odrive.mode = 3;  // a number that is none reaches the guard, which holds the force and then takes it away
+    odrive.mode = 3;  // NaN reaches the guard, which holds the force and then takes it away
     CHECK(std::isnan(answered(*device).position_mm));
   }
   for (const double end_s = now_s() + 20; odrive.state != 1 && now_s() < end_s;) sleepUntil(now_s() + 0.01);
@@ -750,7 +750,7 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
   CHECK(odrive.torque_Nm == 0);
 }
 
-TEST_CASE("ODrive: an axis that does not arm is told with its error, in both spellings") {
+TEST_CASE("ODrive: an axis that does not arm is reported with its error, in both spellings") {
   for (const bool newNames : {false, true}) {
     FakeOdrive odrive;
     odrive.newNames = newNames;

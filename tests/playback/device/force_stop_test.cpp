@@ -144,8 +144,8 @@ TEST_CASE("force stop: hold-to-run gives force while the key repeats and takes i
 
 namespace {
 
-/// A pty whose other end is answered between two exchanges, on the same thread: what the exchange reads waits
-/// there already.
+/// A pty whose other end is answered between two exchanges, on the same thread, so that each exchange finds
+/// its answer waiting.
 class AnsweredPty {
  public:
   AnsweredPty() {
@@ -176,8 +176,8 @@ class AnsweredPty {
 
 namespace {
 
-/// Its handle stands at 2 mm. Then the program stands still between a question and its answer, and meanwhile
-/// the finger pushes the handle to 6 mm.
+/// Device whose handle is at 2 mm. The program then pauses between a question and its answer while the
+/// finger pushes the handle to 6 mm.
 class PausingDevice : public ForceDevice {
  public:
   ForceReading exchange(const ForceCommand& command) override {
@@ -254,6 +254,6 @@ TEST_CASE("force loop: a step allocates nothing") {
     fresh += reading.fresh ? 1 : 0;
   }
   CHECK(fresh > 400);
-  CHECK(test::guardHits() > 0);  // it talks to a port: it is watched
+  CHECK(test::guardHits() > 0);  // calls to the port were guarded
   CHECK(test::guardedMemoryCalls() == 0);
 }

@@ -161,7 +161,7 @@ TEST_CASE("live: a stream that closes lets a callback come to its end, however l
   CallbackHooks slow;  // some cycles long: libjack gives up waiting, and cancels the thread it runs on
   slow.enter = [] {
     ++entered;
-    const std::string unwound(100, 'x');  // what a cancelled thread has to destroy
+    const std::string unwound(100, 'x');  // an object that a cancelled thread has to destroy
     for (const double end_s = now_s() + 0.04; now_s() < end_s && !unwound.empty();) {
     }
   };
@@ -329,7 +329,7 @@ TEST_CASE(
   CHECK(jumps_mm.front() == Approx(1).margin(0.03));
 }
 
-TEST_CASE("live: rain comes from the second output alone, at the level asked for") {
+TEST_CASE("live: rain comes from the second output alone, at the requested level") {
   JackServer server(256);
   if (skipped(server, "masking noise")) return;
   const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));

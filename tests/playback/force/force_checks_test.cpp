@@ -77,7 +77,7 @@ class Wired {
   const ForceProgram& program() const { return prepared_.program; }
 
   double motor = 1, encoder = 1, counts = 1;
-  double turnedAt_mm = 0;       ///< where `encoder` began to count the other way
+  double turnedAt_mm = 0;       ///< position from which `encoder` counts the other way
   double jitter = 0, lost = 0;  ///< of the readings: in periods, as a share
   double true_mm = 0, most_N = 0, time_s = 0;
   std::optional<double> stopped_mm;
@@ -169,7 +169,7 @@ TEST_CASE(
     CHECK(w.most_N <= 0.1);
     CHECK_FALSE(w.engine().last().proving);
     if (c.halt != ForceHalt::reversed) continue;
-    // Put right, a person's word starts it anew.
+    // When the wiring is right again, the force starts only after a person rearms it.
     w.motor = w.encoder = w.counts = 1;
     w.engine().rearm();
     w.runUntil(5);

@@ -61,7 +61,7 @@ TEST_CASE("force guard: bad readings are held for three samples, then the force 
   }
   CHECK(late.silent());
   CHECK(late.counts().missing == 13);
-  // Good readings bring it back, slowly.
+  // Good readings slowly bring the force back.
   for (int i = 0; i < 5; ++i) late.judge(1, true);
   CHECK(late.limit(1, 0) < 0.02);
 }
@@ -130,7 +130,7 @@ TEST_CASE("force guard: a count that stops dead out of a movement takes the forc
     CHECK(force_N == Approx(c.gone ? 0 : c.force_N).margin(1e-9));
     CHECK((guard.counts().frozen > 0) == c.gone);
     CHECK(guard.halt() == ForceHalt::none);
-    at_mm += 2 * step_mm;  // it stood at something hard
+    at_mm += 2 * step_mm;  // leaves the hard stop
     stay(1);
     for (int i = 0; i < 20; ++i) {
       at_mm += 2 * step_mm;
@@ -188,7 +188,7 @@ TEST_CASE("force guard: more than three drop-outs within a second are a halt unt
   guard.rearm();
   for (int i = 0; i < 300; ++i) guard.judge(1, true), guard.limit(1, 0);
   CHECK(guard.gain() == 1);
-  // As many with time between them are none.
+  // As many silences with time between them do not stop the force.
   ForceGuard calm = running();
   for (int k = 0; k < 8; ++k) {
     for (int i = 0; i < 14; ++i) calm.judge(1, false), calm.limit(1, 0);

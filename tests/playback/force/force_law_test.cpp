@@ -58,7 +58,7 @@ TEST_CASE("force law: the on/off button holds at 22.9 mm and comes back after th
   CHECK(law.actuated());
   forceAfter(law, 24.5, 22.9);
   CHECK(law.state() == 1);
-  CHECK(forceAfter(law, 22.9, 22.0) < -0.4);  // restricted at the new rest
+  CHECK(forceAfter(law, 22.9, 22.0) < -0.4);  // the latched button holds the handle at its new rest position
   forceAfter(law, 22.0, 25.0);
   CHECK(law.actuated());
   CHECK(forceAfter(law, 25.0, 10) == Approx(1.0).margin(0.01));
@@ -80,7 +80,7 @@ TEST_CASE(
     });
     INFO(device.name);
     CHECK(states.size() >= 4);
-    CHECK(states.size() <= 9);  // one change a press
+    CHECK(states.size() <= 9);  // one change of state per press
     CHECK(latched_mm == Approx(22.9).margin(0.3));
   }
 }
@@ -113,7 +113,7 @@ TEST_CASE("force law: no number is read of what a button does not have") {
       CHECK_FALSE(presses(prepared));
     }
   }
-  // Properties that it has are read: push has damping.
+  // Properties that a button has are used: push has damping.
   PreparedForce push = forceOf(sampleButton("push"), simulatedDevice());
   for (ForceRow& row : push.program.states[0].rows) poison({&row.damping_Ns_per_mm});
   CHECK(presses(push));
@@ -157,7 +157,7 @@ TEST_CASE("force law: a finger never gets back more than it gave") {
         run.run(1.5, [&](const ForceStep& step) { most_mJ = std::max(most_mJ, step.energy_mJ); });
         INFO(device.name << ", " << name << ", press " << i);
         CHECK(run.leastFingerWork_mJ() >= -1e-6);
-        // At the motor, sampled: what a period hides is a percent of what was in it.
+        // The balance at the motor is sampled once in a period, which hides up to a percent of the energy.
         CHECK(run.engine().lowestBalance_mJ() >= -0.02 - 0.01 * most_mJ);
         CHECK(run.engine().counts().frozen == 0);
       }
@@ -241,7 +241,7 @@ TEST_CASE("spring button: k(x) and b(x) as polynomials are the paper's equation"
   }
 }
 
-TEST_CASE("prepare force: walls of 1e5 N and of 0.1 um are rendered within the device's limits") {
+TEST_CASE("prepare force: bottom-outs of 1e5 N and of 0.1 um are rendered within the device's limits") {
   for (const ForceDeviceProfile& device : presets()) {
     for (const double bottomOut_mm : {1e-4, 0.01}) {
       const auto curve =

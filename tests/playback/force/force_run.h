@@ -66,7 +66,7 @@ class ForceRun {
   double leastFingerWork_mJ_ = 0;
 };
 
-/// Steadiness of a run of values.
+/// Statistics of how steady a series of values is.
 class Quiet {
  public:
   void add(double position_mm, double force_N) {

@@ -30,15 +30,15 @@ ForceDeviceProfile bench(double rate_Hz = 1000) {
 
 constexpr double longestTravel_mm = 100;
 
-/// Its force reaches the limit at 20 mm and its travel ends at the longest there is: no position here lies
-/// beyond it.
+/// A spring that reaches the limit of force at 20 mm and has the longest allowed travel, so that no position
+/// here lies beyond it.
 Button longSpring() {
   const Result<Button> button = springButton("long spring", {{0.25}, {}, longestTravel_mm});
   REQUIRE(button);
   return *button;
 }
 
-/// An engine on readings that a test makes up. Holds after every step what must always hold.
+/// An engine on readings that a test makes up. Checks after every step the rules that must always hold.
 class Watched {
  public:
   explicit Watched(double rate_Hz = 1000)
@@ -55,7 +55,7 @@ class Watched {
     return force_N;
   }
   double at(double position_mm, bool fresh = true) { return step({position_mm, {}, fresh}); }
-  /// Rests somewhere until the whole force is there.
+  /// Holds the handle at a position until the full force acts; returns that force.
   double restAt(double position_mm) {
     double force_N = 0;
     for (int i = 0; i * prepared_.program.period_s < 0.3; ++i) force_N = at(position_mm);
@@ -150,7 +150,7 @@ TEST_CASE(
     wrong.restAt(2);
     CHECK(silent.secondsToSilence([&] { return silent.at(2, false); }) <= 0.015 - silent.period_s());
     CHECK(wrong.secondsToSilence([&] { return wrong.at(std::nan("")); }) <= 0.015 - wrong.period_s());
-    CHECK(silent.restAt(2) != 0);  // nothing moved: it comes back
+    CHECK(silent.restAt(2) != 0);  // the handle did not move, so the force comes back
     CHECK(wrong.restAt(2) != 0);
     ForceReading away;
     away.position_mm = 2;

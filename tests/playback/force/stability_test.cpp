@@ -13,7 +13,7 @@ using namespace detent::test;
 
 }  // namespace
 
-TEST_CASE("stability: a wall breaks the margin where it stands, a soft spring does not") {
+TEST_CASE("stability: a bottom-out breaks the margin where it stands, a soft spring does not") {
   const StabilityMargin steep = stabilityOf(sampleButton("A"), falconDevice(), 1000);
   REQUIRE_FALSE(steep.stable());
   CHECK(steep.unstable.back().from_mm > 3.9);

@@ -74,7 +74,7 @@ TEST_CASE("velocity: a finger's press at 10 µm and 1 kHz") {
   CHECK(errorsOf(VelocityMethod::foaw, 0.01).resting <= 0.3);
 }
 
-TEST_CASE("velocity: nothing is left at rest, and a steady movement is told exactly") {
+TEST_CASE("velocity: nothing is left at rest, and a steady movement is measured exactly") {
   for (const VelocityMethod method :
        {VelocityMethod::kalman, VelocityMethod::foaw, VelocityMethod::difference}) {
     VelocityEstimator estimator(method, 0.001, 0.01);

@@ -27,7 +27,8 @@ struct PressedRecord {
 inline playback::ForceRecord recordOf(const PressedRecord& p, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<> noise_N(0, p.noise_N);
-  // Where the encoder's steps lie, from the rest and from the bottom: no travel is a whole number of steps.
+  // Positions of the encoder's steps, from the rest and from the bottom: no travel is a whole number of
+  // steps.
   std::uniform_real_distribution<> step_mm(0, p.step_mm);
   const double shift_mm = step_mm(random), travel_mm = p.travel_mm + step_mm(random);
   const auto minimumJerk = [](double share) {

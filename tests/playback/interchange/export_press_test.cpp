@@ -143,8 +143,8 @@ TEST_CASE("A press too faint for a format is refused by its name, never written 
     const bool exact = format.value == ExportFormat::package || format.value == ExportFormat::cHeader ||
                        format.value == ExportFormat::ahap || format.value == ExportFormat::haptic ||
                        format.value == ExportFormat::openxr ||
-                       format.value == ExportFormat::hjif;    // any number is one of theirs
-    const bool pad = format.value == ExportFormat::touchpad;  // plays waves of its own
+                       format.value == ExportFormat::hjif;    // formats that can state any number
+    const bool pad = format.value == ExportFormat::touchpad;  // formats that play their own waves
     CHECK(written.ok() == (exact || pad));
     if (written) continue;
     CHECK(written.failure().code == FailureCode::wrongUsage);
@@ -153,7 +153,7 @@ TEST_CASE("A press too faint for a format is refused by its name, never written 
   }
 }
 
-TEST_CASE("The course of a limiter that acted gives every sample, by few points") {
+TEST_CASE("The gain of a limiter that acted gives every sample, by few points") {
   DeviceProfile loud;
   loud.gain = 4;
   for (const char* name : {"B", "D", "F"}) {
@@ -237,7 +237,7 @@ TEST_CASE("A memory of 100 bytes holds what it says of presses that get longer a
   CHECK(whole > 2);
 }
 
-TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it is told") {
+TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it is reported") {
   const Button button = sample("B");
   const HapticProgram program = prepareProgram(button, {}, {}).value().program;
   PressTrace trace{PressTrace::Quantity::displacement_mm, {}};
@@ -258,7 +258,7 @@ TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it 
     });
     CHECK(cut == (format == ExportFormat::da728x || format == ExportFormat::openxr));
     CHECK(cut == written->loss.cut);
-    CHECK(written->loss.worstTimingError_ms <= 1);  // what is held is held in time
+    CHECK(written->loss.worstTimingError_ms <= 1);  // the kept part of the press is in time
   }
 }
 
@@ -345,7 +345,7 @@ TEST_CASE("What pads, phones and headsets bear is never exceeded") {
   }
 }
 
-TEST_CASE("Files of a pair stand beside each other under the name asked for") {
+TEST_CASE("Files of a pair stand beside each other under the requested name") {
   CHECK(pathOf("x/click.ahap", {".press", "", ""}) == "x/click.press.ahap");
   CHECK(pathOf("click.json", {"", ".h", ""}) == "click.h");
   CHECK(pathOf("click", {".release", "", ""}) == "click.release");

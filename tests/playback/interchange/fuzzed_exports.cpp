@@ -336,7 +336,7 @@ void checkTouchpad(const Json& file, Limits& limits) {
   limits.within("intensity", file["intensity"]["release"], 0, 4);
 }
 
-/// Numbers that are none are written as null or nan.
+/// NaN and infinity are written as null or nan.
 void checkPackage(const Json& value, Limits& limits) {
   if (value.is_number()) limits.holds("a number that is none", std::isfinite(value.get<double>()));
   if (value.is_object() && value.contains("wave")) {

@@ -29,7 +29,7 @@ FuzzedExport fuzzedExport(std::uint64_t seed);
 /// Result of an export.
 struct ExportVerdict {
   std::string refusal;                  ///< the sentence; empty where files were written
-  std::vector<std::string> violations;  ///< limits that a file passes
+  std::vector<std::string> violations;  ///< limits of the format that the file exceeds
 };
 ExportVerdict judged(const FuzzedExport& drawn);
 /// The same in two thirds of the time: without the energies of the loss record, on which no limit of a format

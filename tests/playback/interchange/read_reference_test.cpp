@@ -99,7 +99,7 @@ TEST_CASE("An AHAP curve multiplies the intensity and is kept behind its last po
 
 namespace {
 
-/// Four seconds at full intensity, shaped by what else the pattern holds.
+/// Four seconds at full intensity, shaped by the rest of the pattern.
 std::string shaped(const std::string& rest) {
   return ahap(
       R"({"Event": {"Time": 0, "EventType": "HapticContinuous", "EventDuration": 4, "EventParameters": [
@@ -125,7 +125,7 @@ double worstLevel(const std::string& text, double (*intensity)(double time_s)) {
 
 }  // namespace
 
-TEST_CASE("Of AHAP, what is not played is told") {
+TEST_CASE("AHAP: parts that are not played are reported") {
   const ReferenceSignal signal =
       read(ahap(continuous + R"(, {"Event": {"Time": 0, "EventType": "AudioCustom"}})"));
   REQUIRE(signal.notes.size() == 1);
@@ -164,7 +164,8 @@ TEST_CASE("All points of an AHAP curve are played, however many") {
         }) < 1e-3);
 }
 
-TEST_CASE("AHAP control points count from their curve's time; a file that seems to mean another is told of") {
+TEST_CASE(
+    "AHAP control points count from their curve's time; a file that seems to mean another is reported") {
   const ReferenceSignal plain = read(shaped(curveAt(1, {{0, 0.5}, {0.9, 0.5}})));
   CHECK(plain.notes.empty());
   const ReferenceSignal doubtful = read(shaped(curveAt(1, {{1.5, 0.5}, {1.9, 0.5}})));
@@ -185,7 +186,7 @@ TEST_CASE("A .haptic envelope runs straight; an emphasis ducks it and stands on 
         }) < 1e-5);
 }
 
-TEST_CASE("Points closer than any clock tells apart are a step, not a number that is none") {
+TEST_CASE("Points closer than any clock resolves are a step, not NaN") {
   for (const char* brief : {"0", "1e-320", "5e-324", "1e-200", "1e-12"}) {
     INFO(brief);
     const ReferenceSignal signal =
@@ -234,14 +235,14 @@ TEST_CASE("HJIF bands are evaluated as the reference software does") {
   CHECK(worstSample(library, 0.02, 0.03, [](double t) { return 0.25 * sine(200 * (t - 0.02)); }) < 1e-6);
 }
 
-TEST_CASE("What passes full scale is turned down, and told") {
+TEST_CASE("Amplitudes beyond full scale are turned down, and reported") {
   const ReferenceSignal signal = read(ahap(continuous + "," + continuous + "," + continuous));
   CHECK(signal.peak == Approx(1).margin(1e-6));
   REQUIRE(signal.notes.size() == 1);
   CHECK(english(signal.notes[0]).find("1.9") != std::string::npos);
 }
 
-TEST_CASE("What other programs leave out or write beside their format is read, and told") {
+TEST_CASE("Files that leave out or add parts of their format are read, and this is reported") {
   const ReferenceSignal wanted = read(ahap(continuous));
   const ReferenceSignal bare =
       read(R"({"Pattern": [)" + continuous + "]}");  // Apple: a missing entry has its default
@@ -436,7 +437,7 @@ TEST_CASE("Sound files of other containers are read, and refused where they are 
   std::filesystem::remove(path);
 }
 
-TEST_CASE("Channels that cancel each other are no silence: the strongest is played, and told") {
+TEST_CASE("Channels that cancel each other are no silence: the strongest is played, and reported") {
   const auto path = std::filesystem::temp_directory_path() / "detent-reference-channels.au";
   struct Case {
     double second, level;
@@ -474,7 +475,7 @@ TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
     double furthest = 0, furthest_Hz = 0;
     std::size_t points = 0;
     for (const WavePoint& point : mine.waves.front().points) {
-      // Of a step, the side that is meant.
+      // At a step both sides have this time; the nearer one counts.
       double nearest = 1, nearest_Hz = 1000;
       for (const PlayedWave& other : otherWaves.waves) {
         for (const WavePoint& there : other.points) {

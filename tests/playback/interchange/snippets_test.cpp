@@ -63,7 +63,7 @@ LevelPath drawn(std::mt19937& bits, std::size_t cells, std::size_t bursts) {
 
 }  // namespace
 
-TEST_CASE("What the memory holds is whole, in time and near the course") {
+TEST_CASE("The memory holds whole snippets, in time and near the levels") {
   std::mt19937 bits(7);
   int cut = 0;
   for (const std::size_t cells : {1U, 30U, 220U, 1500U, 8000U}) {
@@ -90,7 +90,7 @@ TEST_CASE("What the memory holds is whole, in time and near the course") {
   CHECK(cut > 0);
 }
 
-TEST_CASE("One course takes the memory that the other leaves; nothing is one silent point") {
+TEST_CASE("One envelope takes the memory that the other leaves; an empty one is one silent point") {
   std::mt19937 bits(8);
   const LevelPath busy = drawn(bits, 600, 20);
   const auto alone = snippetsOf({busy, {}});

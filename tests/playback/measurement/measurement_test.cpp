@@ -127,7 +127,7 @@ TEST_CASE("sweep: of a recorder whose full scale is known, the device's level ab
   for (std::size_t i = 700; i < recorded.size(); ++i) recorded[i] = static_cast<float>(0.1 * x[i - 700]);
   const auto response = analyseSweep(played, recorded, settings);
   REQUIRE(response);
-  // Full scale of the device is 0.1 of the recorder's 250 m/s2: a hundred times what is just felt.
+  // Full scale of the device is 0.1 of the recorder's 250 m/s2: a hundred times the threshold of touch.
   CHECK(fullScaleLevel_dB(*response, settings, 250) == Approx(40).margin(0.3));
 }
 
@@ -217,7 +217,7 @@ TEST_CASE("calibrate: truth within the error bars, degree only as high as suppor
   }
   CHECK(tooHigh < trials / 4);
   CHECK(inside > 0.8 * (trials - tooHigh));
-  // A truly bent sensor gets its bend.
+  // A sensor that is really curved gets its curvature.
   std::vector<KnownWeight> bent;
   for (double u = 0.05; u < 2; u += 0.1) bent.push_back({2 * u + 1.5 * u * u, 1023 * u / (1 + u)});
   const Result<SensorCalibration> c = calibrate(bent, settings);
@@ -226,7 +226,7 @@ TEST_CASE("calibrate: truth within the error bars, degree only as high as suppor
   CHECK(c->residual_N < 1e-6);
 }
 
-TEST_CASE("calibrate: three or four readings are told to be too few, whatever they say") {
+TEST_CASE("calibrate: three or four readings are reported as too few, whatever they say") {
   for (std::size_t count : {3U, 4U}) {
     std::vector<KnownWeight> weights;
     for (std::size_t i = 0; i < count; ++i)

@@ -62,7 +62,7 @@ TEST_CASE("spectrogram: a chirp's ridge follows its frequency") {
   }
 }
 
-TEST_CASE("spectrogram: the three tones of a button are told apart") {
+TEST_CASE("spectrogram: the three tones of a button are distinguished") {
   std::vector<float> samples = sine(48000, 150, 0.3, 0.5);
   const std::vector<float> second = sine(48000, 390, 0.3, 0.5);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += second[i];

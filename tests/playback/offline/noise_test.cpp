@@ -71,7 +71,7 @@ Felt feel(const HapticProgram& program, double seconds, double since_s, double n
   return felt;
 }
 
-constexpr double begin_s = 0.5;  // until then nobody touches the sensor
+constexpr double begin_s = 0.5;  // time before the first touch of the sensor
 
 double minimumJerk(double share) {
   const double s = std::clamp(share, 0.0, 1.0);

@@ -156,7 +156,7 @@ TEST_CASE("render to file: what may pass 4 GiB is an RF64, whose lengths have 64
   RenderSettings settings;
   settings.sampleRate_Hz = 192000;
   const auto kind = [&](double bytes) {
-    // A reading that is none may be the last: the file is planned for it, and ends before.
+    // The last reading may be NaN: the file is planned for it, and ends before.
     PressTrace trace = raisedCosine(0.05, 1.3);
     const double bytesEach = settings.format == SampleFormat::bits16 ? 2 : 4;
     trace.readings.push_back({bytes / bytesEach / settings.sampleRate_Hz, std::nan("")});

@@ -22,7 +22,7 @@ Button sampleButton(const std::string& name);
 /// Throws with the sentence of the failure: a test that cannot be set up has failed.
 playback::ForceProgram preparedFor(const Button& button, const playback::ForceDeviceProfile& device,
                                    const playback::ForceSettings& settings = {});
-/// A device of the product as the handle it says it is.
+/// Settings of a simulated handle with the figures of a device profile.
 HandleSettings handleOf(const playback::ForceDeviceProfile& device);
 
 struct LoopSettings {
@@ -38,10 +38,10 @@ struct LoopSettings {
 struct LoopStep {
   double time_s = 0;
   double position_mm = 0;  ///< true
-  double read_mm = 0;      ///< as the engine received it
+  double read_mm = 0;      ///< position as the engine received it
   bool fresh = false;
   double command_N = 0;  ///< force that the engine requested
-  double motor_N = 0;    ///< what acted, after delay and lag
+  double motor_N = 0;    ///< force that acted, after delay and lag
   double finger_N = 0;
   double fingerWork_mJ = 0;
   std::uint32_t state = 0;
@@ -54,7 +54,7 @@ class ClosedLoop {
              std::vector<Fault> faults = {});
 
   LoopStep step();
-  /// Steps until a time; gives all of them.
+  /// Steps until a time; returns all steps.
   std::vector<LoopStep> runUntil(double time_s);
 
   playback::ForceEngine& engine() { return engine_; }

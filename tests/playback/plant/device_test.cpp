@@ -202,7 +202,7 @@ TEST_CASE("uploaded, by the host and simulated: the same force under the same li
       return engine.step(reading).force_N;
     };
     for (int k = 0; k < 400; ++k) forceAt(-0.5);
-    for (double at_mm = -0.5; at_mm < 5.5; at_mm += 0.0005) {  // 0.5 mm/s: no damping to speak of
+    for (double at_mm = -0.5; at_mm < 5.5; at_mm += 0.0005) {  // at 0.5 mm/s damping is negligible
       const double host_N = forceAt(at_mm),
                    uploaded_N = std::min(5.0, device.table().force_N(at_mm, true, 0));
       INFO(button << " at " << at_mm << " mm");
@@ -215,10 +215,10 @@ namespace {
 
 struct Exchanged {
   double largest_N = 0, gone_s = -1,
-         risen_s = -1;    ///< of the exchange: when the force went, when it was back
-  double overRamp_N = 0;  ///< above the ramp since it began to rise
-  double worst_N = 1e9;   ///< table against the other button's, either stroke
-  int rowsSent = 0;       ///< those lost on the way included
+         risen_s = -1;    ///< times at which the force was gone and was back, from the exchange on
+  double overRamp_N = 0;  ///< largest force above the ramp while the force rises
+  double worst_N = 1e9;   ///< largest difference between the table and the other button, both strokes
+  int rowsSent = 0;       ///< rows sent, including lost ones
   std::string refused{};
 };
 
@@ -310,7 +310,7 @@ TEST_CASE("rows that get lost on a link slower than eight questions are missed: 
   settings.rows = 24;
   settings.losesRow = 3;
   const auto fine = [&](const Exchanged& r) {
-    // Every row at least twice: answers come so late that it is said again before it is acknowledged.
+    // Every row was sent at least twice, because its acknowledgement comes after it is due again.
     return r.risen_s > r.gone_s + 0.05 && r.worst_N < 0.03 &&
            r.rowsSent >= 2 * static_cast<int>(settings.rows);
   };
@@ -364,7 +364,7 @@ Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
 
 }  // namespace
 
-TEST_CASE("what takes an uploaded table away is told, and arming brings its force back, on a slow link too",
+TEST_CASE("the loss of an uploaded table is reported, and arming brings its force back, on a slow link too",
           "[upload]") {
   using playback::ForceHalt;
   SerialEmulatorSettings reset, away, stopped;
@@ -469,7 +469,7 @@ TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
   CHECK(run.largest_N <= 3.01);  // torques have six digits
 }
 
-TEST_CASE("an ODrive is told the largest force", "[odrive]") {
+TEST_CASE("an ODrive receives the largest force", "[odrive]") {
   const OdriveRun run = odrive(odriveWithFinger(), "1");
   INFO(run.ran.said);
   CHECK(run.armed);

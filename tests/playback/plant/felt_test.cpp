@@ -60,9 +60,8 @@ Button springOf(double slope_N_per_mm, double damping_Ns_per_mm) {
 
 constexpr double aside_mm = 0.2;
 
-/// The handle alone, pressed with a constant force to the middle of the spring and let go 0.2 mm beside it:
-/// how far it still swings
-/// 0.3 to 0.4 s later; infinity if it has left the spring.
+/// Amplitude of the handle's swing, in mm, 0.3 to 0.4 s after it was pushed to the middle of the spring by a
+/// constant force and released 0.2 mm beside; infinity if it has left the spring.
 double stillSwings_mm(const DrawnDevice& drawn, double slope_N_per_mm) {
   const auto program = std::make_unique<playback::ForceProgram>(
       preparedFor(springOf(slope_N_per_mm, drawn.buttonDamping_Ns_per_mm), drawn.profile));
@@ -209,7 +208,7 @@ TEST_CASE("a press gives a finger no more than it took, with delay and motor lag
   }
 }
 
-TEST_CASE("a press that gave a finger more than it took is told", "[energy]") {
+TEST_CASE("a press that gave a finger more than it took is reported", "[energy]") {
   for (const PressEnergy& press : pressEnergies()) {
     INFO(press.what << ": the finger was given " << -press.finger_mJ << " mJ");
     if (press.finger_mJ < -0.05) CHECK(press.claimed_mJ < 0.5 * press.finger_mJ);

@@ -52,8 +52,8 @@ double HandleAndFinger::pulpElastic_N(double fromDepth_mm, double toDepth_mm) co
   return middle_mm <= 0 ? 0 : finger_.pulpForce_N * std::expm1(finger_.pulpRate_per_mm * middle_mm);
 }
 
-// The handle over one step under a constant push: slides, comes to rest within the step, sticks, or breaks away. A function of the
-// push without jumps, or the step would have no solution.
+// The handle over one step under a constant push: slides, comes to rest within the step, sticks, or breaks
+// away. A function of the push without jumps, or the step would have no solution.
 HandleAndFinger::Move HandleAndFinger::slide(double push_N, bool breaksAway) const {
   const double m = handle_.mass_kg / mmPerMetre, b = handle_.damping_Ns_per_mm;
   Move move;

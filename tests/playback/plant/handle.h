@@ -18,8 +18,8 @@ namespace detent::test {
 struct HandleSettings {
   double mass_kg = 0.05;
   double damping_Ns_per_mm = 0.001;
-  double coulomb_N = 0.05;   ///< while it slides
-  double static_N = 0.06;    ///< while it sticks, >= coulomb_N
+  double coulomb_N = 0.05;   ///< sliding friction, N
+  double static_N = 0.06;    ///< friction at rest, >= coulomb_N
   double motorLag_s = 0;     ///< time constant from a command to its force, 0: at once
   double motorLimit_N = 20;  ///< saturation, both signs
   double lowest_mm = -20, highest_mm = 200;
@@ -32,7 +32,7 @@ struct HandleSettings {
 /// follows its nerve with about 40 ms. Numbers from memory of these papers, not read off them.
 struct FingerSettings {
   double mass_kg = 0.006;
-  double stiffness_N_per_mm = 0.3, damping_Ns_per_mm = 0.003;  ///< of the joint, towards where it aims
+  double stiffness_N_per_mm = 0.3, damping_Ns_per_mm = 0.003;  ///< of the finger's joint, towards its aim
   double pulpForce_N = 0.25, pulpRate_per_mm = 2.5;            ///< F = force (exp(rate d) - 1)
   double pulpLoss_s_per_mm = 0.003;                            ///< Hunt and Crossley: F (1 + loss d')
   double muscleLag_s = 0.04;
@@ -46,18 +46,18 @@ struct Intent {
 };
 using Plan = std::function<Intent(double time_s)>;
 
-/// Where every millijoule went since the start. What is put in is what is stored and lost, to rounding.
+/// Energy flows since the start. The energy put in equals the stored and lost energy, to rounding.
 struct EnergyAccount {
   double muscle_mJ = 0;  ///< work of the muscle on the fingertip
   double motor_mJ = 0;   ///< work of the motor on the handle
   double finger_mJ =
-      0;  ///< work of the fingertip on the handle: what a person puts into the button and the device
+      0;  ///< work of the fingertip on the handle: the person's contribution to button and device
   double viscous_mJ = 0, friction_mJ = 0, pulp_mJ = 0, stops_mJ = 0;  ///< lost, each >= 0
-  double stored_mJ = 0;  ///< kinetic and in the pulp, less what there was at the start
+  double stored_mJ = 0;  ///< kinetic and in the pulp, less the energy at the start
   double residual_mJ() const {
     return muscle_mJ + motor_mJ - viscous_mJ - friction_mJ - pulp_mJ - stops_mJ - stored_mJ;
   }
-  double turnover_mJ = 0;  ///< sum of the sizes of all flows: what the residual is measured against
+  double turnover_mJ = 0;  ///< sum of the sizes of all flows: the scale of the residual
 };
 
 /// A handle with a finger on it. Implicit midpoint with the pulp's exact mean force over a step, so that
@@ -71,7 +71,7 @@ class HandleAndFinger {
 
   /// One integration step. `command_N`: force last requested from the motor.
   void advance(double command_N);
-  /// No finger: the handle is alone from now on, and energy is counted anew.
+  /// Removes the finger and resets the energy counts.
   void takeFingerAway();
   /// The tip flies at a speed, `gap_mm` before the handle.
   void throwTip(double gap_mm, double speed_mm_per_s);

@@ -26,7 +26,7 @@ constexpr double range_mm = 10;
 struct KnownDevice {
   HandleSettings handle;
   double step_mm = 0.001, delay_s = 0.001, rate_Hz = 1000;
-  double pauses_s = 0;  ///< of the computer: so long, every 0.4 s
+  double pauses_s = 0;  ///< length of the computer's pauses, one every 0.4 s
   /// The loop begins its periods by up to so much late, drawn for each; its force goes out with the next.
   double wakesLate_s = 0;
 };
@@ -209,7 +209,7 @@ TEST_CASE("what a pause of the computer hides does not enter", "[identify]") {
   Chance chance(20);
   for (const double pauses_s : {0.012, 0.03}) {
     KnownDevice d = knownDevice(chance);
-    d.handle.mass_kg = 0.2;  // light ones would fly out of their range meanwhile
+    d.handle.mass_kg = 0.2;  // light handles would leave their range meanwhile
     d.rate_Hz = 1000;
     d.pauses_s = pauses_s;
     const playback::MotionIdentification m = measured(d);
@@ -246,7 +246,7 @@ TEST_CASE("a loop that wakes late now and then does not stretch its time, nor th
   }
 }
 
-TEST_CASE("what is left tells that something else acts on the handle", "[identify]") {
+TEST_CASE("the residual shows that something else acts on the handle", "[identify]") {
   Chance chance(18);
   const KnownDevice d = knownDevice(chance);
   Shaken shaken(d);

@@ -46,7 +46,7 @@ struct OnLink {
   }
 };
 
-// Slow enough that what a busy machine adds to the device's own time does not matter.
+// Slow enough that delays of a busy machine do not matter beside the device's own time.
 template <class Emulator, class Settings>
 OnLink identifiedOn(const std::string& kind) {
   const tests::ProgramFolder folder("plant_identify");

@@ -17,7 +17,7 @@ namespace {
 
 struct Actuation {
   std::uint32_t state = 0;
-  double force_N = 0;  ///< strongest the button gave on the way to it
+  double force_N = 0;  ///< largest force of the button on the way to the latch
   std::size_t press = 0;
 };
 struct LatchRun {
@@ -51,7 +51,7 @@ LatchRun pressLatch(const playback::ForceProgram& program, Chance& chance) {
     const auto now = static_cast<std::size_t>(std::max(0.0, (step.time_s - press.wait_s) / press.every_s));
     if (now != number) changes = 0;
     number = now;
-    // Until the step before: the one that actuates already has the force of what comes after.
+    // Until the step before: the step that actuates already has the force of the next state.
     if (step.actuated && !actuated) run.actuations.push_back({step.state, strongest_N, number});
     strongest_N = step.finger_N > 0 ? std::max(strongest_N, step.command_N) : 0;
     if (step.state != state) {
@@ -104,9 +104,9 @@ std::size_t actuationsOff(double share) {
 
 }  // namespace
 
-// A softened bottom-out reaches its force later than drawn: an operating point left where it is drawn acts at
-// 0.05 N. On a bottom-out of 2 N/mm a fast finger moves 0.14 mm between two readings, so the force at the first
-// reading beyond the operating point is larger than drawn.
+// A softened bottom-out reaches its force later than drawn: an operating point left where it is drawn acts
+// at 0.05 N. On a bottom-out of 2 N/mm a fast finger moves 0.14 mm between two readings, so the force at the
+// first reading beyond the operating point is larger than drawn.
 TEST_CASE("1,000 fingers: a latch acts within 5 % of its drawn force", "[latch]") {
   CHECK(actuationsOff(0.05) == 0);
 }

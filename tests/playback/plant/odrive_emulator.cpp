@@ -182,7 +182,7 @@ double OdriveEmulator::command_N() {
   return forceOf_N(std::clamp(torque_Nm, -most_Nm, most_Nm));
 }
 
-// A new start: what was not saved is forgotten, the encoder counts from where it stands.
+// Restarts: unsaved settings are lost, and the encoder counts from its present position.
 void OdriveEmulator::reset() {
   resetAt_mm_ = truePosition_mm();
   error_ = 0;

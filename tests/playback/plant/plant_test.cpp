@@ -120,7 +120,7 @@ TEST_CASE("damping sets the last speed, lag the first force, saturation the larg
   CHECK(world.velocity_mm_per_s() == Approx(100).epsilon(1e-6));
 }
 
-TEST_CASE("messages arrive in order, late by what was asked, and as often lost as was asked", "[plant]") {
+TEST_CASE("messages arrive in order, late as requested, and as often lost as requested", "[plant]") {
   Transport<int> line({0.002, 0, 0}, 3);
   line.send(0, 7);
   CHECK_FALSE(line.newest(0.0019));
@@ -155,7 +155,7 @@ TEST_CASE("fingers press, hold, slap and let go as fingers do", "[plant]") {
       mean_N += world.fingerForce_N() / count;
       tremor += world.fingerForce_N() * std::polar(2.0 / count, -2 * 3.14159265358979 * 9.5 * world.time_s());
     }
-    // It aims at the table's height: what the pulp gives way costs the joint a part of the 0.8 N.
+    // The joint aims at the table's height, so the pulp's compression takes a part of the 0.8 N.
     const double depth_mm = std::log1p(mean_N / finger.pulpForce_N) / finger.pulpRate_per_mm;
     CHECK(mean_N + finger.stiffness_N_per_mm * depth_mm == Approx(0.8).epsilon(0.01));
     CHECK(std::abs(tremor) / mean_N == Approx(0.02).epsilon(0.2));

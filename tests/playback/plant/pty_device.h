@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A device at the far end of a serial port: a pty whose other end a program opens, a thread that answers lines late, and a handle
-// with a finger that moves in real time. What a device says is the subclass's.
+// A device at the far end of a serial port: a pty whose other end a program opens, a thread that answers
+// lines late, and a handle with a finger that moves in real time. What a device says is the subclass's.
 
 #include <atomic>
 #include <deque>
@@ -19,21 +19,21 @@ struct PtySettings {
   FingerSettings finger;
   Plan plan = [](double) { return Intent{}; };
   double start_mm = 0;
-  double replyDelay_s = 0;    ///< from a line to its answer
-  double replyJitter_s = 0;   ///< 0..so much more
+  double replyDelay_s = 0;    ///< delay from a line to its answer
+  double replyJitter_s = 0;   ///< random addition, 0 to this
   double brokenAnswers = 0;   ///< share of answers whose bytes are damaged
-  double resetAt_s = -1;      ///< of the scene; < 0: never
-  double unplugAt_s = -1;     ///< of the scene; < 0: never
-  double pluggedAgain_s = 0;  ///< after it was unplugged; 0: never
-  /// The scene (finger and faults) begins with the first line, or waits until the device has something to run: a program may take its time
-  /// to measure a slow link and to push a free handle first.
+  double resetAt_s = -1;      ///< time in the scene; < 0: never
+  double unplugAt_s = -1;     ///< time in the scene; < 0: never
+  double pluggedAgain_s = 0;  ///< time after it was unplugged; 0: never
+  /// The scene (finger and faults) begins with the first line, or waits until the device has something to
+  /// run: a program may take its time to measure a slow link and to push a free handle first.
   bool sceneWaits = false;
   std::uint64_t seed = 1;
 };
 
 /// One moment of the device, taken every millisecond. Its world stands still until the first line comes.
 struct PtyMoment {
-  double time_s = 0;  ///< of the scene; far below 0 before it has begun
+  double time_s = 0;  ///< time in the scene; far below 0 before the scene has begun
   double position_mm = 0;
   double motor_N = 0;  ///< acting on the handle, against pressing
   double finger_N = 0;
@@ -48,10 +48,10 @@ class PtyDevice {
 
   /// Path of the port, the same after it has been unplugged and plugged in again.
   const std::string& port() const { return port_; }
-  /// Ends the device's thread; what it has recorded may be read from then on.
+  /// Ends the device's thread; its records may be read from then on.
   void halt();
   const std::vector<PtyMoment>& moments() const { return moments_; }
-  /// Lines as they came, without their ends.
+  /// Received lines, without their ends.
   const std::vector<std::string>& heard() const { return heard_; }
   double largestMotor_N() const;
 
@@ -65,7 +65,7 @@ class PtyDevice {
 
   /// Sends a line, with its end, after the reply delay; a share of them is damaged on the way.
   void answer(std::string line);
-  /// For a scene that waits; once.
+  /// Starts a scene that waits; call once.
   void beginScene();
   double now_s() const { return now_s_; }  ///< since the device was made
   double scene_s() const { return firstLine_s_ < 0 ? -1 : now_s_ - firstLine_s_ - sceneFrom_s_; }
@@ -99,8 +99,8 @@ class PtyDevice {
   std::thread thread_;
 };
 
-/// The first run of up to five that is fine, else the last: a machine that stands still for a moment makes device and program late,
-/// which is no verdict on either. Five times in a row are one.
+/// The first run of up to five that is fine, else the last: a machine that stands still for a moment makes
+/// device and program late, which is no verdict on either. Five times in a row are one.
 template <class Run, class Fine>
 auto undisturbed(const Run& runs, const Fine& fine) {
   auto run = runs();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A finger that rests feels nothing: held at every 0.05 N, with the hum of the mains, with tremor and with the sensor's noise. Rendered by
-// detent-play as a program. Issue 25, section 3.
+// A finger that rests feels nothing: held at every 0.05 N, with the hum of the mains, with tremor and with
+// the sensor's noise. Rendered by detent-play as a program.
 
 #include <cmath>
 #include <cstdio>
@@ -65,7 +65,7 @@ std::string staircase(double highest_N, const Disturbance& disturbance) {
 }
 
 struct Rest {
-  int events = 0;     ///< while a level was held
+  int events = 0;     ///< events while a level was held
   std::string first;  ///< of them
   double held_s = 0;
 };

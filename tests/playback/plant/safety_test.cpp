@@ -46,7 +46,7 @@ class DrivenEngine {
     reading.fresh = false;
     return step(reading);
   }
-  /// At one place until the force has risen.
+  /// Holds the handle at one place until the force has risen; returns the force.
   double restAt(double position_mm, int steps = 400) {
     double force_N = 0;
     for (int k = 0; k < steps; ++k) force_N = step(position_mm);
@@ -195,7 +195,8 @@ TEST_CASE("a flicker of 0.5 to 3 mm gives no steps of force, and none at all aft
       for (std::int64_t k = 0; k < 500; ++k) {
         const double force_N = driven.step(encoder.reading(k, 3));
         INFO(name << ", " << size_mm << " mm, " << k + 1 << " ms after; " << rest_N << " N before");
-        // It only falls, no faster than the largest force does in the 10 ms of docs/guide/force-feedback.md.
+        // The force only falls, no faster than from the largest force to 0 in the 10 ms of
+        // docs/guide/force-feedback.md.
         REQUIRE(std::abs(force_N) <= std::abs(before_N) + 1e-6);
         REQUIRE(std::abs(force_N - before_N) <= 5 * 0.001 / 0.01 + 1e-6);
         if (k >= 14) REQUIRE(force_N == 0);

@@ -94,7 +94,7 @@ TEST_CASE("released at a speed, the force is that speed's release; at rest the s
        {std::pair{5.0, 0.0}, {10.0, 0.0}, {55.0, 0.5}, {100.0, 1.0}, {400.0, 1.0}}) {
     const double slow_N = dome(0.6, 0.35).states()[0].graph.release()->force_N(1.5),
                  fast_N = dome(0.9, 0.2).states()[0].graph.release()->force_N(1.5);
-    // Of here and 1.5 ms ahead the lower one.
+    // The lower of the forces here and 1.5 ms ahead.
     double least_N = 10;
     for (double lead = 0; lead < 1; lead += 0.01) {
       const double x = 1.5 - lead * speed * program->law.holdLead_s;

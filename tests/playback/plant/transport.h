@@ -30,8 +30,8 @@ class Chance {
 };
 
 struct TransportSettings {
-  double delay_s = 0;   ///< of every message
-  double jitter_s = 0;  ///< 0..so much more, drawn for each
+  double delay_s = 0;   ///< delay of every message
+  double jitter_s = 0;  ///< random addition, 0 to this, drawn for each message
   double lost = 0;      ///< share that never arrives
 };
 

@@ -124,7 +124,7 @@ TEST_CASE("prepare: a slope that changes is felt piece by piece, every grain onc
   CHECK(press.slopes[press.slopeCount - 1].last == paper->states[0].press.slopes[0].last);
 }
 
-TEST_CASE("prepare: the wall behind a slope makes none of its grains louder") {
+TEST_CASE("prepare: the bottom-out behind a slope makes none of its grains louder") {
   PlaybackSettings settings;
   settings.feel = Feel::clear;
   for (const bool withBottomOut : {false, true}) {
@@ -165,7 +165,7 @@ TEST_CASE("prepare: without grains a button has no slopes, and keeps its jumps")
   }
 }
 
-TEST_CASE("prepare: the device's resonance and equalizer are used when asked for") {
+TEST_CASE("prepare: the device's resonance and equalizer are used when requested") {
   DeviceProfile profile;
   profile.resonances = {{780, 10, 20}, {260, 5, 9}, {370, 8, 12}};
   profile.equalizer = {{370, 8, -12}};
@@ -218,7 +218,7 @@ TEST_CASE("prepare: settings outside their range are refused by name") {
   CHECK_FALSE(prepareProgram(linearButton(), profile, {}));
 }
 
-TEST_CASE("table: as close to the curve as its vertices allow, walls kept") {
+TEST_CASE("table: as close to the curve as its vertices allow, vertical rises kept") {
   const Button button = tactileButton();
   const StrokeCurve& curve = button.states()[0].graph.press();
   const TableFit fit = fitTable(curve, curve.start_mm(), curve.end_mm(), -1e9, {1.2});
@@ -253,7 +253,7 @@ TEST_CASE("prepare: many jumps and long names are cut with a warning, never out 
   CHECK(std::string(prepared->program.name.data()).size() == maxProgramName - 1);
 }
 
-TEST_CASE("prepare: of more equal jumps than a program holds the first are kept, and the rest is told") {
+TEST_CASE("prepare: of more equal jumps than a program holds the first are kept, and the rest is reported") {
   std::vector<CurvePoint> press{{0, 0.1}};
   constexpr int jumps = 40;
   for (int i = 0; i < jumps; ++i) {
@@ -357,7 +357,7 @@ TEST_CASE("prepare: the clear feel keeps the order of the jumps over the paper's
   }
 }
 
-TEST_CASE("prepare: a click that the paper's levels drown is told, by its place") {
+TEST_CASE("prepare: a click that the paper's levels drown is reported, with its place") {
   const auto remarksOf = [](const Button& button, const PlaybackSettings& settings,
                             const DeviceProfile& profile) {
     const Result<PreparedProgram> prepared = prepareProgram(button, profile, settings);

@@ -28,7 +28,7 @@ TEST_CASE("live warnings: nothing is said where nothing is wrong") {
   CHECK_FALSE(warnings.mostUrgent().has_value());
 }
 
-TEST_CASE("live warnings: what is wrong stands on the line as long as it lasts, and is told once") {
+TEST_CASE("live warnings: a fault stands on the line as long as it lasts, and is reported once") {
   const std::vector<std::pair<SensorCondition, LiveWarningCode>> troubles{
       {SensorCondition::unplugged, LiveWarningCode::sensorUnplugged},
       {SensorCondition::silent, LiveWarningCode::sensorSilent},
@@ -60,7 +60,7 @@ TEST_CASE("live warnings: a lost device comes before everything else") {
   CHECK(warnings.mostUrgent() == LiveWarningCode::deviceLost);
 }
 
-TEST_CASE("live warnings: what is counted is told with its number, every ten seconds at most") {
+TEST_CASE("live warnings: counted faults are reported with their number, every ten seconds at most") {
   for (std::uint64_t PlayerStatus::*count :
        {&PlayerStatus::xruns, &PlayerStatus::droppedReadings, &PlayerStatus::droppedEvents,
         &PlayerStatus::rejectedReadings, &PlayerStatus::malformedLines, &PlayerStatus::malformedMessages,

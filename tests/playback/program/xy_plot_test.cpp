@@ -16,7 +16,7 @@ std::size_t countOf(const std::string& text, const std::string& part) {
   return count;
 }
 
-// Where a printed number stands, px; -1 where it is not printed.
+// Position of a printed number, px; -1 if it is not printed.
 double xOf(const std::string& svg, const std::string& number) {
   const std::size_t end = svg.find("text-anchor=\"middle\">" + number + "</text>");
   if (end == std::string::npos) return -1;

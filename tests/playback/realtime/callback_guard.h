@@ -23,7 +23,7 @@ void enterGuard();
 void leaveGuard();
 
 std::uint64_t guardHits();
-/// Of them, those that ask for memory or give it back.
+/// Number of guarded calls that allocate or free memory.
 std::uint64_t guardedMemoryCalls();
 /// Name of the first guarded call since the last reset; empty if none.
 std::string firstGuardHit();

@@ -80,7 +80,7 @@ TEST_CASE("limiter: never beyond the ceiling, transparent below it, silence for 
   CHECK(limiter.idle());
 }
 
-TEST_CASE("rain: the level asked for at every rate, comes up slowly, covers what a transducer sounds like") {
+TEST_CASE("rain: the requested level at every rate, rises slowly, covers the sound of a transducer") {
   for (const double rate : {8000.0, 44100.0, 48000.0, 192000.0}) {
     RainNoise rain(0.1);
     rain.setSampleRate(rate);

@@ -61,7 +61,7 @@ TEST_CASE("conditioner: after one time far ahead it hears again within a tenth o
     const double time_s = i / 425.0 + (i == 500 ? 0.4 : 0);
     if (conditioner.judge(time_s, 0.5) == ConditionerVerdict::reject) ++lost;
   }
-  CHECK(lost < 42);  // of 425 a second
+  CHECK(lost < 42);  // of 425 readings per second
   CHECK(conditioner.counts().wrongTimes == 1);
 }
 

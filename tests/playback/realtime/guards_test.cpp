@@ -24,7 +24,7 @@ std::size_t countOf(const Crossings& crossings, CrossingKind kind) {
   return n;
 }
 
-/// A press jump at 1 mm; a release that comes back to just before it, not as far as where the jump arms
+/// A button with a press jump at 1 mm, whose release ends just before it, not far enough to arm the jump
 /// again.
 Button returningButton() {
   return buttonOf("returning",
@@ -40,7 +40,7 @@ SessionCommand forceAt(TimeBase base, double time, double force_N) {
   return {CommandKind::force, base, time, force_N, {}, nullptr};
 }
 
-/// Everything a session has to say.
+/// Everything that a session reports.
 struct Heard {
   std::vector<EngineEvent> events;
   std::vector<const HapticProgram*> retired;
@@ -117,8 +117,7 @@ TEST_CASE("guard: readings whose stamps run backwards are placed in the order th
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
   LiveSession session(48000);
   REQUIRE(session.send(Lane::control, programCommand(*program)));
-  for (int i = 0; i <= 4;
-       ++i)  // one reading in less than the delay of what is heard, so that nothing is late
+  for (int i = 0; i <= 4; ++i)  // one reading less than the output delay, so that nothing is late
     REQUIRE(session.send(Lane::trace, forceAt(TimeBase::streamFrames, 150.0 * i, 0.11 * i)));
   REQUIRE(session.send(Lane::trace, forceAt(TimeBase::streamFrames, 150, 0.65)));
   std::vector<float> out(block);

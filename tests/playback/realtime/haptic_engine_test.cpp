@@ -291,7 +291,7 @@ TEST_CASE("engine: full scale is never exceeded and stealing does not click") {
   CHECK(engine->counts().stolenVoices > 200);
   for (float v : out) REQUIRE(std::fabs(v) <= 1.0f);
 
-  // One long, quiet voice each: the step between samples never exceeds what the sines themselves can do.
+  // One long, quiet voice each: the step between samples never exceeds that of the sines themselves.
   program->gain = 1;
   const auto calm = std::make_unique<HapticEngine>(48000);
   calm->use(program.get());
@@ -437,7 +437,7 @@ TEST_CASE("engine: fast strokes keep their vibration, and nothing constant") {
     CHECK(level < slow * 2);
     CHECK(mean < 0.01);
   }
-  settings.grainCarrier = GrainCarrier::retriggered;  // what it was: lost at 50 mm/s
+  settings.grainCarrier = GrainCarrier::retriggered;  // the former carrier, which lost level at 50 mm/s
   settings.highPass_Hz = 20;
   CHECK(levelAt(50).first < slow / 2);
 }
@@ -504,7 +504,7 @@ TEST_CASE("engine: the limiter keeps the form of an attack") {
       free[i] = gain * (burst(960, 390, 0.034, 0.9) + (before > 0 ? burst(0, 150, 0.06, before) : 0));
     }
     double product = 0, own = 0, rest = 0;
-    for (std::size_t i = 960; i < 1083; ++i) {  // its first wave
+    for (std::size_t i = 960; i < 1083; ++i) {  // first wave of the bottom-out
       product += free[i] * static_cast<double>(limited[i]);
       own += free[i] * free[i];
     }

@@ -83,7 +83,8 @@ TEST_CASE("session: without a stream programs come home and take over, at whatev
   session.setSampleRate(96000);
   CHECK(session.sampleRate_Hz() == 96000);
   session.process(out.data(), out.size(), 1);
-  CHECK(std::all_of(out.begin(), out.end(), [](float v) { return v == 0; }));  // nothing of what was missed
+  // events of the time without a stream do not sound
+  CHECK(std::all_of(out.begin(), out.end(), [](float v) { return v == 0; }));
   session.send(Lane::network, {CommandKind::burst, TimeBase::now, 0, 0, {1000, 0.1, 0.8}});
   session.process(out.data(), out.size(), 1 + 256 / 96000.0);
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -277,7 +278,7 @@ TEST_CASE("session: what a finger went through unheard is not played afterwards"
   DisplacedFinger finger;
   finger.at(0.2);
   const std::uint64_t grains = finger.grains();
-  SECTION("a reading that waited too long tells the place only") {
+  SECTION("a reading that waited too long gives the position only") {
     finger.send({CommandKind::displacement, TimeBase::clock, finger.time_s() - 0.5, 3.2, {}, nullptr});
     finger.render();
   }

@@ -14,7 +14,7 @@ using namespace detent::test;
 
 namespace {
 
-/// A finger's forces on a button, and what was counted.
+/// Applies a finger's forces to a button and counts the presses.
 class Finger {
  public:
   explicit Finger(const Button& button) : program_(std::make_unique<HapticProgram>(programOf(button))) {
@@ -44,7 +44,8 @@ class Finger {
 
 }  // namespace
 
-TEST_CASE("presses: to the end and back is one; the strongest force and the deepest place are told once") {
+TEST_CASE(
+    "presses: to the end and back is one; the strongest force and the deepest place are reported once") {
   for (const Button& button : {linearButton(), tactileButton(), twoLevelButton()}) {
     Finger finger(button);
     finger.to(0);

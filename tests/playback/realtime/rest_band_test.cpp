@@ -21,7 +21,7 @@ struct Passed {
   std::vector<double> in_N, out_N;
   double swing_N = 0;
 
-  /// Range of what comes out between two times.
+  /// Range of the output between two times.
   double moved_N(double from_s, double to_s) const {
     double low = 1e9, high = -1e9;
     for (auto i = static_cast<std::size_t>(from_s * rate_Hz); i < static_cast<std::size_t>(to_s * rate_Hz);
@@ -53,11 +53,11 @@ TEST_CASE("rest band: what does not swing passes bit for bit, slow or fast") {
     const Passed passed = pass(6, force);
     return passed.in_N == passed.out_N;
   };
-  CHECK(same([](double t) { return 0.05 * t; }));                      // a press of a minute
-  CHECK(same([](double t) { return 0.6 + 0.5 * sineAt(t, 7); }));      // taps as fast as fingers go
-  CHECK(same([](double t) { return 0.6 + 0.04 * sineAt(t, 1); }));     // to and fro, deliberately
-  CHECK(same([](double t) { return t < 3 ? 0.8 : 0.2; }));             // a step
-  CHECK(same([](double t) { return 0.5 + 0.0004 * sineAt(t, 50); }));  // of no consequence
+  CHECK(same([](double t) { return 0.05 * t; }));                   // a press of a minute
+  CHECK(same([](double t) { return 0.6 + 0.5 * sineAt(t, 7); }));   // taps as fast as fingers go
+  CHECK(same([](double t) { return 0.6 + 0.04 * sineAt(t, 1); }));  // a slow, deliberate movement to and fro
+  CHECK(same([](double t) { return t < 3 ? 0.8 : 0.2; }));          // a step
+  CHECK(same([](double t) { return 0.5 + 0.0004 * sineAt(t, 50); }));  // too small to matter
   CHECK(same([](double t) { return 1.2 * std::exp(-t) * (t < 5 ? 1 : 0.5); }));
 }
 

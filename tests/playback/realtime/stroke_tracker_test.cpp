@@ -245,7 +245,7 @@ TEST_CASE("tracker: displacement readings cross the same places") {
   }
 }
 
-TEST_CASE("tracker: flat force, walls and far too long travels stay in bounds") {
+TEST_CASE("tracker: flat force, vertical rises and far too long travels stay in bounds") {
   const Button flat = buttonOf("flat", {stateOf("", {{0, 0.5}, {3, 0.5}}, {{0, 0.4}, {3, 0.4}})});
   const auto program = std::make_unique<HapticProgram>(programOf(flat));
   StrokeTracker tracker;

@@ -67,7 +67,7 @@ TEST_CASE("journal: what was appended is there when it is opened again") {
   CHECK(again->opened().unfinished.empty());
 }
 
-TEST_CASE("journal: cut off at any byte, whole lines stay and the rest is told and taken out") {
+TEST_CASE("journal: cut off at any byte, whole lines stay and the rest is reported and taken out") {
   const std::string whole = "{first line\nsecond\nthird one\n";
   for (std::size_t length = 0; length <= whole.size(); ++length) {
     const TestFile file;

@@ -30,7 +30,7 @@ std::vector<double> magnitudes(const std::vector<double>& samples) {
   return result;
 }
 
-/// Both padded to one length, in whole blocks.
+/// Number of blocks when both signals are padded to one length.
 std::size_t blocksOf(const std::vector<float>& a, const std::vector<float>& b) {
   return (std::max(a.size(), b.size()) + block - 1) / block;
 }

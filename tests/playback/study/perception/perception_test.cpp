@@ -170,7 +170,7 @@ TEST_CASE("masking: a faint burst beside a strong one fades, far from it it stay
 }
 
 TEST_CASE(
-    "confusion: a button and itself cannot be told apart; order does not matter; more change, more d'") {
+    "confusion: a button and itself cannot be distinguished; order does not matter; more change, more d'") {
   const FeltButton b = felt(sample("B"));
   const PredictedPair same = predictConfusion(b, b);
   CHECK(same.dPrime == 0);
@@ -181,7 +181,7 @@ TEST_CASE(
   CHECK(predictConfusion(b, f).dPrime > predictConfusion(b, c).dPrime);
 }
 
-TEST_CASE("confusion: a force is felt as such: more of it is told apart, step by step, and said to be it") {
+TEST_CASE("confusion: more force is distinguished, step by step, and named as the difference") {
   const Button a = sample("A");
   const FeltButton itself = felt(a);
   double before = 0;
@@ -284,7 +284,7 @@ TEST_CASE("confusion: a verdict's sentence says how sure it is") {
   CHECK(english(errorsOf(pair(1, 0, 0.2))) == "hardly an error in 90");
 }
 
-TEST_CASE("confusion: the order of pairs tells how likely each is more confused than the next") {
+TEST_CASE("confusion: the order of pairs states how likely each is more confused than the next") {
   std::vector<PredictedPair> pairs(4);
   for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].dPrime = std::array{4.0, 0.0, 2.0, 2.0}[i];
   const std::vector<PairRank> ranks = ranksOf(pairs);
@@ -299,7 +299,7 @@ TEST_CASE("confusion: the order of pairs tells how likely each is more confused 
   CHECK_FALSE(ranks[0].moreConfusedThanNext);
 }
 
-TEST_CASE("confusion: no pair that most of K&L's noisy group told apart is said not to be") {
+TEST_CASE("confusion: no pair that most of K&L's noisy group distinguished is forecast as confused") {
   std::vector<FeltButton> buttons;
   for (const char* name : {"A", "B", "C", "D", "E", "F"}) buttons.push_back(felt(sample(name), Feel::paper));
   for (const PredictedPair& pair : predictAll(buttons)) CHECK(pair.verdict() != Verdict::notDistinguished);
@@ -364,7 +364,7 @@ TEST_CASE("confusion: a millinewton more moves d' by at most 0.02") {
       CHECK(std::fabs(dPrime - before) <= 0.02);
       before = dPrime;
     }
-    CHECK(before > 0.03);  // yet they differ
+    CHECK(before > 0.03);  // the two buttons differ
   }
 }
 
@@ -384,7 +384,7 @@ TEST_CASE("a self-locking button is felt in both states") {
   CHECK(predictConfusion(ef, felt(sample("E"))).dPrime > 1);  // every second press gives it away
 }
 
-TEST_CASE("all pairs: progress is told, cancelling gives nothing") {
+TEST_CASE("all pairs: progress is reported, cancelling gives nothing") {
   const std::vector<FeltButton> three{felt(sample("A")), felt(sample("B")), felt(sample("EF"))};
   std::size_t reported = 0;
   const std::vector<PredictedPair> pairs =
@@ -397,7 +397,7 @@ TEST_CASE("all pairs: progress is told, cancelling gives nothing") {
   CHECK_FALSE(feel(sample("A"), {}, [] { return true; }));
 }
 
-TEST_CASE("make distinguishable: every offer, applied by the factor that is told, changes the verdict") {
+TEST_CASE("make distinguishable: every offer, applied by the stated factor, changes the verdict") {
   const std::vector<Button> buttons{sample("B"), sample("C"), sample("D"), sample("E")};
   for (const Button& button : buttons)
     for (const Button& other : buttons) {

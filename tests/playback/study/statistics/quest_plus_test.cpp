@@ -35,7 +35,7 @@ ThresholdEstimate estimated(const Observer& observer, std::size_t trials, StudyR
 
 }  // namespace
 
-TEST_CASE("a threshold is told in 75 of 100, and a difference without end as often as nobody lapses") {
+TEST_CASE("a threshold is noticed in 75 of 100, and an endless difference as often as nobody lapses") {
   CHECK(shareCorrect(0.1, 0.1, 3, 0) == Approx(0.75));
   CHECK(shareCorrect(0.1, 0.1, 1, 0.04) == Approx(0.73));
   CHECK(shareCorrect(100, 0.1, 2, 0.05) == Approx(0.95));
@@ -78,7 +78,7 @@ TEST_CASE("observers' thresholds lie within the credible interval in 95 of 100")
   CHECK(std::sqrt(squares / observers) < 0.45);
 }
 
-TEST_CASE("who tells nothing, or everything, has an open interval") {
+TEST_CASE("a participant who notices nothing, or everything, has an open interval") {
   QuestPlus deaf(hundredthToDouble()), keen(hundredthToDouble());
   for (int i = 0; i < 40; ++i) {
     deaf.take({deaf.nextLevel(), i % 2 == 0});

@@ -64,7 +64,8 @@ TEST_CASE("binomial: at most so many errors in ten by guessing") {
   CHECK(printed(atMost({1, 10}, 0.5), 4) == 0.0107);
   CHECK(printed(atMost({2, 10}, 0.5), 4) == 0.0547);
   CHECK(printed(atMost({3, 10}, 0.5), 3) == 0.172);
-  CHECK(printed(1 - atMost({1, 10}, 0.1), 2) == 0.26);  // right nine times in ten, and still fails
+  // right nine times in ten, and still fails in 26 % of studies
+  CHECK(printed(1 - atMost({1, 10}, 0.1), 2) == 0.26);
   CHECK(atMost({10, 10}, 0.5) == 1);
   CHECK(atMost({3, 10}, 0) == 1);
   CHECK(atMost({3, 10}, 1) == 0);

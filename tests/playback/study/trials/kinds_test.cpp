@@ -120,7 +120,7 @@ TEST_CASE("what has more stands first as often as second, and its level follows 
     if (!trial.practice) increasesByLevel[level->reference].push_back(level->increase);
   }
   for (const auto& [reference, increases] : increasesByLevel) {
-    CHECK(increases.front() > 0.1);  // where nothing is known, in the middle
+    CHECK(increases.front() > 0.1);  // without any answer the trial plan begins in the middle
     CHECK(*std::min_element(increases.begin(), increases.end()) < 0.08);
   }
 }

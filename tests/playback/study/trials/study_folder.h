@@ -44,7 +44,7 @@ class StudyFolder {
 inline const playback::SessionStart simulatedStart{SessionKind::simulated, Listening::quiet, "", "perfect",
                                                    1000};
 
-/// Somebody who begins, first of all.
+/// Record of the first participant, who has not answered yet.
 inline ParticipantRecord beginner(const std::string& id) {
   ParticipantRecord record;
   record.participant = id;

@@ -73,7 +73,7 @@ TEST_CASE("a cue has four even beats, and the first press near the last of them 
   for (std::size_t i = 1; i < 4; ++i)
     CHECK(controller.beats_s()[i] - controller.beats_s()[i - 1] == Approx(0.6));
   const double cue_s = controller.cue_s();
-  controller.pressed(cue_s - 0.58, 0.001);  // beats time with the third
+  controller.pressed(cue_s - 0.58, 0.001);  // taps with the third beat
   CHECK_FALSE(controller.over(cue_s + 0.55));
   controller.pressed(cue_s - 0.03, 0.002);
   controller.pressed(cue_s + 0.2, 0.001);
@@ -134,7 +134,7 @@ TEST_CASE("what nobody pressed is not kept, nor what nobody felt") {
   given.presses_s = {std::nan("")};
   CHECK_FALSE(session->record(given));
   given.presses_s = {3.0};
-  CHECK_FALSE(session->record(given));  // counts for nothing
+  CHECK_FALSE(session->record(given));  // the press does not count, so there is no answer
   given.presses_s = {0.02};
   given.felt = {{0, 0, 0, 0}};
   CHECK_FALSE(session->record(given));  // not felt
@@ -254,7 +254,7 @@ TEST_CASE("a table that is too wide says above its rows what many of them share"
   CHECK(tableText(table) == "Title\n  who                   " + std::string(30, 'n') + "\n  " + near +
                                 ":\n  " + name + "1 " + right + "7\n  " + name + "2 " + right + "7\n  " +
                                 far + ":\n  " + name + "1 " + right + "7\n  " + name + "2 " + right + "7\n");
-  table.columns[0].heading = std::string(90, 'n');  // it cannot be: nothing is lost
+  table.columns[0].heading = std::string(90, 'n');  // a heading wider than the table: no value is lost
   CHECK_THAT(tableText(table), Catch::Contains(name + "2"));
 }
 

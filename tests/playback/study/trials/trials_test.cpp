@@ -68,7 +68,8 @@ TEST_CASE(
   CHECK(writeBids(results, folder / "bids"));
 }
 
-TEST_CASE("plan: every pair as often as asked, sides and X balanced independently, the same list each time") {
+TEST_CASE(
+    "plan: every pair as often as requested, sides and X balanced independently, the same list each time") {
   StudyDesign design;
   design.seed = 5;
   const StudyFolder made(design, {"A", "B", "C", "D", "E", "F"});
@@ -279,7 +280,8 @@ TEST_CASE("unfinished: who did not answer all trials is left out, and both resul
   CHECK_THAT(resultsText(left), Catch::Contains("With those who did not finish"));
   CHECK_THAT(resultsPage(left, {}), Catch::Contains("With those who did not finish"));
   CHECK_THAT(resultsCsv(left), Catch::Contains(",0,\n") && Catch::EndsWith(",1,\n"));
-  CHECK_FALSE(writeUnfinishedRule(*made.study, Unfinished::counted));  // people have begun
+  CHECK_FALSE(
+      writeUnfinishedRule(*made.study, Unfinished::counted));  // refused, because participants have begun
 }
 
 TEST_CASE("merge: laboratories become one study, and P01 of two are two people") {
@@ -348,7 +350,7 @@ TEST_CASE("unfinished: the rule is chosen before the first person and kept") {
 }
 
 TEST_CASE(
-    "feel: a study plays what everything else plays unless the paper's is asked for; its files say which") {
+    "feel: a study plays what everything else plays unless the paper's is requested; its files say which") {
   for (const Feel feel : {usualSettings().feel, Feel::paper}) {
     StudyDesign design;
     design.feel = feel;
@@ -421,7 +423,7 @@ TEST_CASE(
   const JournalText whole = splitJournal(text.substr(0, last));
   for (std::size_t length = last; length < text.size(); length += 17) {
     std::ofstream(file, std::ios::binary) << text.substr(0, length);
-    REQUIRE(writeHead(file, whole.lines.size(), chainAfter(whole.lines)));  // as a crash leaves it
+    REQUIRE(writeHead(file, whole.lines.size(), chainAfter(whole.lines)));  // as after a crash
     const Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
     REQUIRE(session);
     CHECK(session->record().answers.size() == 2);
@@ -449,7 +451,7 @@ TEST_CASE("journal: a line changed, taken out or added by hand is named") {
     REQUIRE(records->size() == 2);
     REQUIRE(records->front().damage);
     CHECK(records->front().answers.empty());
-    CHECK(records->back().answers.size() == 2);  // it costs that person only
+    CHECK(records->back().answers.size() == 2);  // the damage costs that participant only
     const StudyResults results = resultsOf(*made.study, *records);
     CHECK(results.rows.size() == 2);
     CHECK(results.warnings.front().find("P01 is left out") == 0);
@@ -490,8 +492,7 @@ TEST_CASE("journal: whole lines cut off its end, emptied or gone, it is noticed"
     std::ofstream(headFileOf(file), std::ios::binary) << worthless;
     CHECK(damaged());
   }
-  fs::remove(
-      headFileOf(file));  // what it would tell is not known then, and the journal says that it was there
+  fs::remove(headFileOf(file));  // the journal says that a head file existed
   CHECK(damaged());
   std::ofstream(headFileOf(file), std::ios::binary) << head;
   CHECK_FALSE(readParticipants(*made.study)->front().damage);
@@ -548,7 +549,7 @@ TEST_CASE("results: a person whose journal was taken out of the folder with its 
   };
   CHECK_FALSE(warned());
   fs::remove(made.folder() / "participants" / "P02.jsonl");
-  CHECK_FALSE(warned());  // its head shows it
+  CHECK_FALSE(warned());  // the head file shows that the participant existed
   fs::remove(made.folder() / "participants" / "P02.head");
   CHECK(warned());
 }
@@ -582,7 +583,8 @@ TEST_CASE("session: a person's answer to what was not felt is not kept; what was
     REQUIRE(session);
     Answer answer = simulatedAnswer(*made.study, "P01", *session->trial(), {});
     for (Felt* felt : {&answer.felt[0], &answer.felt[1], &answer.feltX}) {
-      const Felt kept = std::exchange(*felt, {1, 0, 1.2, 0.4});  // begun, not pressed through
+      // a press that began but did not reach the bottom
+      const Felt kept = std::exchange(*felt, {1, 0, 1.2, 0.4});
       CHECK_FALSE(session->record(answer));
       *felt = kept;
     }
@@ -645,7 +647,7 @@ TEST_CASE(
     CHECK_FALSE(ParticipantSession::open(*made.study, id, simulatedStart));
 }
 
-TEST_CASE("session: clocks that disagree are told, times stay as measured") {
+TEST_CASE("session: clocks that disagree are reported, times stay as measured") {
   const StudyFolder made;
   SessionStart later = simulatedStart;
   later.kind = SessionKind::rehearsal;
@@ -691,7 +693,7 @@ TEST_CASE("session: a trial broken off by the device is marked, its row says so"
   CHECK(rows[2].condition == "quiet/simulated/repeated");
 }
 
-TEST_CASE("session: an early end keeps the columns; stopping is told") {
+TEST_CASE("session: an early end keeps the columns; stopping is reported") {
   const StudyFolder made;
   {
     Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
@@ -730,7 +732,7 @@ TEST_CASE("trial controller: nothing is answered unfelt; times and tries are cou
   CHECK_FALSE(controller.mayAnswer());
   controller.tried(1, 113);
   CHECK_FALSE(controller.mayAnswer());
-  controller.felt({1, 0, 0.5, 1});  // let go too early
+  controller.felt({1, 0, 0.5, 1});  // released too early
   CHECK_FALSE(controller.mayAnswer());
   controller.tried(1, 114);
   controller.felt({1, 1, 1.2, 2.5});
@@ -797,7 +799,7 @@ TEST_CASE("results: eight people all better in one mode: p is exact, and Holm co
   CHECK(all.p == Approx(2.0 / 256));  // 0.0078
   CHECK(all.adjusted == all.p);
   REQUIRE(all.interval);
-  CHECK(all.interval->low * all.interval->high > 0);  // zero is outside
+  CHECK(all.interval->low * all.interval->high > 0);  // zero is outside the interval
   for (std::size_t i = 1; i < 4; ++i) {
     CHECK(results.comparisons[i].pair == i - 1);
     CHECK(results.comparisons[i].adjusted >= results.comparisons[i].p);
@@ -982,7 +984,7 @@ std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor
         if (sensor == Sensor::zeros) force_N = 0.02 * drawShare(random);
         if (sensor == Sensor::stuck) force_N = stuck_N;
         if (sensor == Sensor::light) force_N = 0.2 * strongest_N * share;
-        if (sensor == Sensor::lost && i > 120) break;  // on the way up
+        if (sensor == Sensor::lost && i > 120) break;  // the sensor is lost on the way up
         tracker.updateForce(force_N);
         counter.take(tracker.position());
       }
