@@ -45,40 +45,43 @@ Result<MagneticSensor> MagneticSensor::fromPairs(std::vector<SensorPair> pairs, 
                                                  const std::string& subject) {
   if (!(noise >= 0 && noise <= mostNoise))
     return Failure{FailureCode::wrongUsage, Subject::option("--noise"), "",
-                   "is not within 0 and 1000000 counts",
-                   "Give the standard deviation of the readings at rest"};
+                   Message("is not within 0 and 1000000 counts"),
+                   Message("Give the standard deviation of the readings at rest")};
   if (pairs.size() < 2)
-    return unusable(subject, "", "holds fewer than two pairs",
-                    "Measure readings at several places of the travel");
+    return unusable(subject, "", Message("holds fewer than two pairs"),
+                    Message("Measure readings at several places of the travel"));
   const bool rises = pairs[1].reading > pairs[0].reading;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Message place("pair %1", i + 1);
     if (!std::isfinite(pairs[i].displacement_mm) || !std::isfinite(pairs[i].reading))
-      return unusable(subject, place, "is not finite", "Remove or correct it");
+      return unusable(subject, place, Message("is not finite"), Message("Remove or correct it"));
     if (i == 0) continue;
     if (!(pairs[i].displacement_mm > pairs[i - 1].displacement_mm))
-      return unusable(subject, place, "does not lie deeper than the pair before",
-                      "Sort the pairs by displacement");
+      return unusable(subject, place, Message("does not lie deeper than the pair before"),
+                      Message("Sort the pairs by displacement"));
     if (pairs[i].reading == pairs[i - 1].reading || (pairs[i].reading > pairs[i - 1].reading) != rises)
-      return unusable(subject, place, "reads no farther the same way than the pair before",
-                      "Leave out the part of the travel in which the sensor does not tell places apart");
+      return unusable(
+          subject, place, Message("reads no farther the same way than the pair before"),
+          Message("Leave out the part of the travel in which the sensor does not tell places apart"));
   }
   return MagneticSensor(std::move(pairs), noise, false);
 }
 
 Result<MagneticSensor> MagneticSensor::fromCsv(const std::string& file, double noise) {
-  const Remedies remedies = "Give a CSV with the header displacement_mm,reading";
+  const Remedies remedies = Message("Give a CSV with the header displacement_mm,reading");
   Result<std::string> text = readTable(file, largestTable_bytes, remedies);
   if (!text) return text.failure();
   NumberTable table(*text);
-  if (!table.next()) return unusable(file, "", "is empty", remedies);
+  if (!table.next()) return unusable(file, "", Message("is empty"), remedies);
   const auto columns = table.columns({"displacement_mm", "reading"});
-  if (!columns) return unusable(file, table.place(), "has no columns displacement_mm and reading", remedies);
+  if (!columns)
+    return unusable(file, table.place(), Message("has no columns displacement_mm and reading"), remedies);
   std::vector<SensorPair> pairs;
   while (table.next()) {
     const auto displacement_mm = table.finite((*columns)[0]), reading = table.finite((*columns)[1]);
     if (!displacement_mm || !reading)
-      return unusable(file, table.place(), "does not hold two finite numbers", "Remove or correct it");
+      return unusable(file, table.place(), Message("does not hold two finite numbers"),
+                      Message("Remove or correct it"));
     pairs.push_back({*displacement_mm, *reading});
   }
   return fromPairs(std::move(pairs), noise, file);

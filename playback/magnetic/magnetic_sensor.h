@@ -16,6 +16,8 @@ struct SensorPair {
   double displacement_mm = 0, reading = 0;  ///< reading in counts of the converter
 };
 
+inline constexpr double usualNoise = 2;  ///< standard deviation of a reading at rest, counts
+
 /// Converts displacements to readings and back, linear between the points and beyond them. Immutable; any
 /// thread.
 class MagneticSensor {

@@ -42,14 +42,35 @@ std::string micrometres(double displacement_mm) {
 }
 
 std::string simulatedLine(const MagneticKeyForecast& f) {
-  char line[160];
-  const std::string rapid = f.settings.rapid_mm ? shortestText(*f.settings.rapid_mm) + " mm" : "off";
+  char line[200];
+  std::string rapid = "off";
+  if (const auto& distances = f.settings.rapid) {
+    rapid = shortestText(distances->press_mm);
+    if (distances->release_mm != distances->press_mm) rapid += "/" + shortestText(distances->release_mm);
+    rapid += " mm";
+  }
   std::snprintf(line, sizeof line,
                 "   rapid trigger %-8s lost %.1f, doubled %.1f of 1,000; held: lets go %.0f times a minute, "
                 "shallow %.0f\n",
                 rapid.c_str(), f.lost_per_1000, f.doubled_per_1000, f.letsGo_per_minute,
                 f.letsGoShallow_per_minute);
   return line;
+}
+
+std::string settingsOf(const MagneticKeySettings& chosen) {
+  const RapidTrigger rapid = chosen.rapid.value_or(RapidTrigger{0, 0});
+  std::string text = "#define DETENT_ACTUATE_UM " + micrometres(chosen.actuate_mm) + "\n" +
+                     "#define DETENT_RESET_UM " + micrometres(chosen.reset_mm) + "\n" +
+                     "#define DETENT_RAPID_UM " + micrometres(rapid.press_mm) +
+                     "  /* 0: no rapid trigger */\n";
+  if (!chosen.beyondOneDistance()) return text;
+  text +=
+      "/* DETENT_RAPID_UM closes below the highest place, DETENT_RAPID_RELEASE_UM opens above the deepest;\n"
+      "   continuous: until the top dead zone, not only below DETENT_RESET_UM. */\n";
+  text += "#define DETENT_RAPID_RELEASE_UM " + micrometres(rapid.release_mm) + "\n";
+  text += "#define DETENT_RAPID_CONTINUOUS " + std::to_string(int{rapid.continuous}) + "\n";
+  text += "#define DETENT_TOP_DEAD_ZONE_UM " + micrometres(chosen.topDeadZone_mm) + "\n";
+  return text + "#define DETENT_BOTTOM_DEAD_ZONE_UM " + micrometres(chosen.bottomDeadZone_mm) + "\n";
 }
 
 /// C function that interpolates the table with integers.
@@ -92,7 +113,8 @@ std::string head(const Button& button, const MagneticSensor& sensor, const Trave
       "entry by up to %.4f mm.\n   Noise of %.3g counts.\n",
       table.worst_mm, widest_um / um_per_mm, sensor.noise());
   text += line;
-  text += "   Forecast for 64 simulated fingers, 1,024 presses, acting at the point below:\n";
+  if (!simulated.empty())
+    text += "   Forecast for 64 simulated fingers, 1,024 presses, acting at the point below:\n";
   for (const MagneticKeyForecast& one : simulated) text += simulatedLine(one);
   return text + "*/\n";
 }
@@ -142,10 +164,7 @@ std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
   text += "#define DETENT_READING_AT_REST " + std::to_string(std::llround(table.restReading)) + "\n";
   text += "#define DETENT_READING_AT_END " + std::to_string(std::llround(table.endReading)) + "\n";
   text += "#define DETENT_TRAVEL_UM " + micrometres(travel_mm) + "\n";
-  text += "#define DETENT_ACTUATE_UM " + micrometres(chosen.actuate_mm) + "\n";
-  text += "#define DETENT_RESET_UM " + micrometres(chosen.reset_mm) + "\n";
-  text += "#define DETENT_RAPID_UM " + micrometres(chosen.rapid_mm.value_or(0)) +
-          "  /* 0: no rapid trigger */\n\n";
+  text += settingsOf(chosen) + "\n";
   text +=
       "/* Micrometres at entry (reading - DETENT_READING_AT_REST) * 255 / (DETENT_READING_AT_END - "
       "DETENT_READING_AT_REST). */\n";

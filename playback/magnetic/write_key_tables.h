@@ -22,8 +22,8 @@ TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm);
 /// CSV `displacement_mm,reading,counts_per_mm,noise_mm`: 201 points of the travel.
 std::string sensorCsvFrom(const MagneticSensor& sensor, double travel_mm);
 
-/// C header for C99 and C++, ASCII: the table, the settings of `chosen`, and the simulated results in its
-/// comment.
+/// C header for C99 and C++, ASCII: the table, the settings of `chosen`, and the simulated results, if any,
+/// in its comment.
 std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
                           const MagneticKeySettings& chosen,
                           const std::vector<MagneticKeyForecast>& simulated);

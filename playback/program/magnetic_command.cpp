@@ -21,13 +21,12 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double usualDifferential_mm = 0.1;
-
 struct MagneticArguments {
   std::string button, readingsFile, outputFile;
-  double noise = 2, scan_ms = 1;
-  std::optional<double> operateAt_mm, resetAt_mm, rapid_mm;
-  bool json = false;
+  double noise = usualNoise, scan_ms = 1;
+  std::optional<double> operateAt_mm, resetAt_mm, rapid_mm, rapidRelease_mm;
+  double topDeadZone_mm = 0, bottomDeadZone_mm = 0;
+  bool continuous = false, json = false;
 };
 
 Failure usage(const char* option, Message problem, Remedies remedies) {
@@ -40,17 +39,14 @@ Result<MagneticKeySettings> settingsOf(const MagneticArguments& a, const Button&
   if (!actuate_mm)
     return usage("--operate-at", "is missing, and the button names no operating point",
                  "Pass --operate-at MM");
-  MagneticKeySettings settings;
-  settings.actuate_mm = *actuate_mm;
-  settings.reset_mm = std::max(0.0, *actuate_mm - usualDifferential_mm);
-  if (state.operatingPoint_mm && state.resetPoint_mm)
-    settings.reset_mm = std::max(0.0, *actuate_mm - (*state.operatingPoint_mm - *state.resetPoint_mm));
+  MagneticKeySettings settings = settingsFor(state, *actuate_mm);
   if (a.resetAt_mm) settings.reset_mm = *a.resetAt_mm;
-  if (!(settings.reset_mm < settings.actuate_mm))
-    return usage("--reset-at", "does not lie above the point at which the key acts",
-                 "Pass a smaller displacement");
-  settings.rapid_mm = a.rapid_mm;
+  if (a.rapid_mm)
+    settings.rapid = RapidTrigger{*a.rapid_mm, a.rapidRelease_mm.value_or(*a.rapid_mm), a.continuous};
+  settings.topDeadZone_mm = a.topDeadZone_mm;
+  settings.bottomDeadZone_mm = a.bottomDeadZone_mm;
   settings.scan_s = a.scan_ms / 1000;
+  if (const Result<Done> possible = checked(settings); !possible) return possible.failure();
   return settings;
 }
 
@@ -59,30 +55,45 @@ Result<MagneticSensor> sensorOf(const MagneticArguments& a, const Button& button
   return MagneticSensor::assumed(button.states().front().graph.travel_mm(), a.noise);
 }
 
-/// The requested settings, then variants without rapid trigger and with it in steps.
+/// The requested settings, then variants without rapid trigger and with one distance for both directions in
+/// steps; the rest as requested.
 std::vector<MagneticKeySettings> variantsOf(const MagneticKeySettings& chosen) {
   std::vector<MagneticKeySettings> variants = {chosen};
-  for (const std::optional<double> rapid_mm : {std::optional<double>{}, {0.1}, {0.2}, {0.3}, {0.5}, {1.0}}) {
-    if (rapid_mm == chosen.rapid_mm) continue;
+  const bool continuous = chosen.rapid && chosen.rapid->continuous;
+  for (const double rapid_mm : {0.0, 0.1, 0.2, 0.3, 0.5, 1.0}) {
+    std::optional<RapidTrigger> rapid;
+    if (rapid_mm > 0) rapid = RapidTrigger{rapid_mm, rapid_mm, continuous};
+    if (rapid == chosen.rapid) continue;
     variants.push_back(chosen);
-    variants.back().rapid_mm = rapid_mm;
+    variants.back().rapid = rapid;
   }
   return variants;
 }
 
 void sayMagnetic(const MagneticKeyForecast& f) {
-  const std::string rapid =
-      f.settings.rapid_mm ? std::to_string(*f.settings.rapid_mm).substr(0, 5) + " mm" : "off";
+  const auto short_mm = [](double mm) { return std::to_string(mm).substr(0, 5); };
+  std::string rapid = "off";
+  if (const auto& distances = f.settings.rapid) {
+    rapid = short_mm(distances->press_mm);
+    if (distances->release_mm != distances->press_mm) rapid += "/" + short_mm(distances->release_mm);
+    rapid += " mm";
+  }
   std::fprintf(stderr, "  %-14s %8.1f %8.1f %14.0f %14.0f\n", rapid.c_str(), f.lost_per_1000,
                f.doubled_per_1000, f.letsGo_per_minute, f.letsGoShallow_per_minute);
 }
 
 Json jsonOf(const MagneticKeyForecast& f) {
-  return {{"rapid_trigger_mm", f.settings.rapid_mm ? Json(*f.settings.rapid_mm) : Json(nullptr)},
-          {"lost_per_1000", f.lost_per_1000},
-          {"doubled_per_1000", f.doubled_per_1000},
-          {"lets_go_per_minute", f.letsGo_per_minute},
-          {"lets_go_shallow_per_minute", f.letsGoShallow_per_minute}};
+  const auto& rapid = f.settings.rapid;
+  Json json = {{"rapid_trigger_mm", rapid ? Json(rapid->press_mm) : Json(nullptr)}};
+  if (rapid && f.settings.beyondOneDistance()) {
+    json["rapid_release_mm"] = rapid->release_mm;
+    json["continuous"] = rapid->continuous;
+  }
+  json["lost_per_1000"] = f.lost_per_1000;
+  json["doubled_per_1000"] = f.doubled_per_1000;
+  json["lets_go_per_minute"] = f.letsGo_per_minute;
+  json["lets_go_shallow_per_minute"] = f.letsGoShallow_per_minute;
+  return json;
 }
 
 Result<Done> write(const MagneticArguments& a, const Button& button, const MagneticSensor& sensor,
@@ -109,15 +120,20 @@ void reportMagnetic(const MagneticArguments& a, const Button& button, const Magn
   Json list = Json::array();
   for (const MagneticKeyForecast& one : simulated) list.push_back(jsonOf(one));
   const TravelTable table = travelTableOf(sensor, button.states().front().graph.travel_mm());
-  print({{"forecast", true},
-         {"readings", sensor.isAssumed() ? "assumed" : "measured"},
-         {"operating_point_mm", chosen.actuate_mm},
-         {"reset_point_mm", chosen.reset_mm},
-         {"reading_at_rest", table.restReading},
-         {"reading_at_end", table.endReading},
-         {"table_error_mm", table.worst_mm},
-         {"settings", std::move(list)},
-         {"output", a.outputFile.empty() ? Json(nullptr) : Json(a.outputFile)}});
+  Json json = {{"forecast", true},
+               {"readings", sensor.isAssumed() ? "assumed" : "measured"},
+               {"operating_point_mm", chosen.actuate_mm},
+               {"reset_point_mm", chosen.reset_mm},
+               {"reading_at_rest", table.restReading},
+               {"reading_at_end", table.endReading},
+               {"table_error_mm", table.worst_mm},
+               {"settings", std::move(list)},
+               {"output", a.outputFile.empty() ? Json(nullptr) : Json(a.outputFile)}};
+  if (chosen.beyondOneDistance()) {
+    json["top_dead_zone_mm"] = chosen.topDeadZone_mm;
+    json["bottom_dead_zone_mm"] = chosen.bottomDeadZone_mm;
+  }
+  print(json);
 }
 
 int runMagnetic(const MagneticArguments& a, const Cancelled& cancelled) {
@@ -159,10 +175,26 @@ void addMagneticOptions(CLI::App& app, MagneticArguments& a) {
   app.add_option("--reset-at", a.resetAt_mm,
                  "Release point, mm (default: at the distance of the button's reset point)")
       ->check(numberWithin(0, 1e5));
-  app.add_option(
-         "--rapid-trigger", a.rapid_mm,
-         "Release this far above the deepest point and actuate this far below the highest, mm (default: off)")
-      ->check(numberWithin(0.001, 100));
+  CLI::Option* rapid =
+      app.add_option("--rapid-trigger", a.rapid_mm,
+                     "Release this far above the deepest point and actuate this far below the highest, mm "
+                     "(default: off)")
+          ->check(numberWithin(0.001, 100));
+  app.add_option("--rapid-release", a.rapidRelease_mm,
+                 "Release this far above the deepest point instead, mm (default: as --rapid-trigger)")
+      ->check(numberWithin(0.001, 100))
+      ->needs(rapid);
+  app.add_flag("--continuous", a.continuous,
+               "Keep rapid trigger until the key is fully released (default: until the release point)")
+      ->needs(rapid);
+  app.add_option("--top-dead-zone", a.topDeadZone_mm,
+                 "Keep the key released in the first part of the travel, mm")
+      ->check(numberWithin(0, 100))
+      ->capture_default_str();
+  app.add_option("--bottom-dead-zone", a.bottomDeadZone_mm,
+                 "Keep the key actuated in the last part of the travel, mm")
+      ->check(numberWithin(0, 100))
+      ->capture_default_str();
   app.add_option("--scan-ms", a.scan_ms, "Time between two readings, ms")
       ->check(numberWithin(0.05, 100))
       ->capture_default_str();

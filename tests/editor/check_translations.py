@@ -89,7 +89,7 @@ def sources_said_to_people(root):
         for file in sorted((root / room).rglob("*.cpp")):
             place = file.relative_to(root).as_posix()
             if not re.search(r"/program/|/python/|main\.cpp$|^importer/(library|batch)/|^model/(file/|validation|number_table)|" +
-                             r"^playback/(identification|magnetic|performance|study/statistics)/|^playback/(measure_|.*(calibrate|sweep|spring_button|button_numbers|timing_tables)\.cpp)", place):
+                             r"^playback/(identification|performance|study/statistics)/|^playback/magnetic/(?!magnetic_)|^playback/(measure_|.*(calibrate|sweep|spring_button|button_numbers|timing_tables)\.cpp)", place):
                 yield place, re.sub(r"//[^\n]*", "", file.read_text())
 
 
