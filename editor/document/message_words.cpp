@@ -14,6 +14,12 @@ constexpr int digits = 6;  // as in a quantity field
 
 // Subjects of failures (model/result.h), marked for translation here because the rooms do not mark them.
 [[maybe_unused]] constexpr const char* partNames[] = {
+    QT_TRANSLATE_NOOP("detent", "actuation point"),
+    QT_TRANSLATE_NOOP("detent", "release point"),
+    QT_TRANSLATE_NOOP("detent", "press distance"),
+    QT_TRANSLATE_NOOP("detent", "release distance"),
+    QT_TRANSLATE_NOOP("detent", "top dead zone"),
+    QT_TRANSLATE_NOOP("detent", "bottom dead zone"),
     QT_TRANSLATE_NOOP("detent", "stroke curve"),
     QT_TRANSLATE_NOOP("detent", "force graph"),
     QT_TRANSLATE_NOOP("detent", "stroke sketch"),

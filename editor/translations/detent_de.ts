@@ -1737,6 +1737,30 @@ Lizenz: %3</translation>
         <source>Give at least one</source>
         <translation>Geben Sie mindestens einen an</translation>
     </message>
+    <message>
+        <source>actuation point</source>
+        <translation>Auslösepunkt</translation>
+    </message>
+    <message>
+        <source>release point</source>
+        <translation>Rückstellpunkt</translation>
+    </message>
+    <message>
+        <source>press distance</source>
+        <translation>Druckstrecke</translation>
+    </message>
+    <message>
+        <source>release distance</source>
+        <translation>Loslassstrecke</translation>
+    </message>
+    <message>
+        <source>top dead zone</source>
+        <translation>obere Totzone</translation>
+    </message>
+    <message>
+        <source>bottom dead zone</source>
+        <translation>untere Totzone</translation>
+    </message>
 </context>
 <context>
     <name>detent::Bending</name>
@@ -4203,6 +4227,14 @@ Lizenz: %3</translation>
         <source>Step, or travels separated by spaces or semicolons, in %1:</source>
         <translation>Schrittweite oder Wege, durch Leerzeichen oder Semikolons getrennt, in %1:</translation>
     </message>
+    <message>
+        <source>Export for a magnetic keyboard</source>
+        <translation>Für eine Magnettastatur exportieren</translation>
+    </message>
+    <message>
+        <source>C header</source>
+        <translation>C-Header</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::FeelPanel</name>
@@ -6493,6 +6525,177 @@ Lizenz: %3</translation>
     </message>
 </context>
 <context>
+    <name>detent::editor::MagneticDialog</name>
+    <message>
+        <source>Force graph and movement of the key</source>
+        <translation>Kraftkurve und Bewegung der Taste</translation>
+    </message>
+    <message>
+        <source>Export for a magnetic keyboard</source>
+        <translation>Für eine Magnettastatur exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Choose a location and write the C header</source>
+        <translation>Ort wählen und den C-Header schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Actuation point:</source>
+        <translation>&amp;Auslösepunkt:</translation>
+    </message>
+    <message>
+        <source>Displacement at which the key closes</source>
+        <translation>Weg, bei dem die Taste schließt</translation>
+    </message>
+    <message>
+        <source>&amp;Release point:</source>
+        <translation>&amp;Rückstellpunkt:</translation>
+    </message>
+    <message>
+        <source>Displacement at which the key opens on its way up</source>
+        <translation>Weg, bei dem die Taste auf dem Rückweg öffnet</translation>
+    </message>
+    <message>
+        <source>Rapid &amp;trigger</source>
+        <translation>Rapid &amp;Trigger</translation>
+    </message>
+    <message>
+        <source>The key opens and closes with the direction of the movement</source>
+        <translation>Die Taste öffnet und schließt mit der Richtung der Bewegung</translation>
+    </message>
+    <message>
+        <source>&amp;Press distance:</source>
+        <translation>&amp;Druckstrecke:</translation>
+    </message>
+    <message>
+        <source>The key closes this far below the highest place</source>
+        <translation>So weit unter der höchsten Stelle schließt die Taste</translation>
+    </message>
+    <message>
+        <source>Release &amp;distance:</source>
+        <translation>&amp;Loslassstrecke:</translation>
+    </message>
+    <message>
+        <source>The key opens this far above the deepest place</source>
+        <translation>So weit über der tiefsten Stelle öffnet die Taste</translation>
+    </message>
+    <message>
+        <source>&amp;Continuous</source>
+        <translation>D&amp;urchgehend</translation>
+    </message>
+    <message>
+        <source>Rapid trigger lasts until the key is fully released, not only below the release point</source>
+        <translation>Rapid Trigger gilt, bis die Taste ganz losgelassen ist, nicht nur unter dem Rückstellpunkt</translation>
+    </message>
+    <message>
+        <source>T&amp;op dead zone:</source>
+        <translation>&amp;Obere Totzone:</translation>
+    </message>
+    <message>
+        <source>First part of the travel, in which the key is always open</source>
+        <translation>Erster Teil des Wegs, in dem die Taste immer offen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom dead zone:</source>
+        <translation>U&amp;ntere Totzone:</translation>
+    </message>
+    <message>
+        <source>Last part of the travel, in which the key is always closed</source>
+        <translation>Letzter Teil des Wegs, in dem die Taste immer geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Presses go do&amp;wn to:</source>
+        <translation>Drücken &amp;bis:</translation>
+    </message>
+    <message>
+        <source>End of both presses of the drawn movement</source>
+        <translation>Ende beider Drücke der gezeichneten Bewegung</translation>
+    </message>
+    <message>
+        <source>and &amp;up to:</source>
+        <translation>und &amp;zurück bis:</translation>
+    </message>
+    <message>
+        <source>Displacement at which the second press of the drawn movement begins</source>
+        <translation>Weg, bei dem der zweite Druck der gezeichneten Bewegung beginnt</translation>
+    </message>
+    <message>
+        <source>Readin&amp;gs…</source>
+        <translation>&amp;Messwerte …</translation>
+    </message>
+    <message>
+        <source>Read what your sensor shows over the travel from a CSV file</source>
+        <translation>Aus einer CSV-Datei lesen, was Ihr Sensor über den Weg anzeigt</translation>
+    </message>
+    <message>
+        <source>Readings are assumed: a magnet of the usual size.</source>
+        <translation>Messwerte sind angenommen: ein Magnet üblicher Größe.</translation>
+    </message>
+    <message>
+        <source>Readings of the sensor</source>
+        <translation>Messwerte des Sensors</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Readings from %1.</source>
+        <translation>Messwerte aus %1.</translation>
+    </message>
+    <message>
+        <source>Force (%1)</source>
+        <translation>Kraft (%1)</translation>
+    </message>
+    <message>
+        <source>Displacement (%1)</source>
+        <translation>Weg (%1)</translation>
+    </message>
+    <message>
+        <source>Distance moved (%1)</source>
+        <translation>Zurückgelegter Weg (%1)</translation>
+    </message>
+    <message>
+        <source>closes at %1</source>
+        <translation>schließt bei %1</translation>
+    </message>
+    <message>
+        <source>opens at %1</source>
+        <translation>öffnet bei %1</translation>
+    </message>
+    <message>
+        <source>The key stays open.</source>
+        <translation>Die Taste bleibt offen.</translation>
+    </message>
+    <message>
+        <source>The key %1.</source>
+        <translation>Die Taste %1.</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Hinweg</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>Key closes</source>
+        <translation>Taste schließt</translation>
+    </message>
+    <message>
+        <source>Key opens</source>
+        <translation>Taste öffnet</translation>
+    </message>
+    <message>
+        <source>Key closed</source>
+        <translation>Taste geschlossen</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::MainWindow</name>
     <message>
         <source>Show or hide: %1</source>
@@ -7117,6 +7320,14 @@ Lizenz: %3</translation>
     <message>
         <source>Show in pictures what each figure measures</source>
         <translation>In Bildern zeigen, was jeder Kennwert misst</translation>
+    </message>
+    <message>
+        <source>For a &amp;magnetic keyboard…</source>
+        <translation>Für eine &amp;Magnettastatur …</translation>
+    </message>
+    <message>
+        <source>Choose rapid trigger and dead zones, see what the key does, export a C header</source>
+        <translation>Rapid Trigger und Totzonen wählen, sehen, was die Taste tut, einen C-Header exportieren</translation>
     </message>
 </context>
 <context>
@@ -12290,6 +12501,50 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Give the file another ending than %1</source>
         <translation>Geben Sie der Datei eine andere Endung als %1</translation>
     </message>
+    <message>
+        <source>%1 is not greater than 0</source>
+        <translation>%1 ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>Set a distance, or turn rapid trigger off</source>
+        <translation>Eine Strecke einstellen oder Rapid Trigger ausschalten</translation>
+    </message>
+    <message>
+        <source>%1 is longer than the travel, %2</source>
+        <translation>%1 ist länger als der Gesamtweg, %2</translation>
+    </message>
+    <message>
+        <source>Set at most %1</source>
+        <translation>Höchstens %1 einstellen</translation>
+    </message>
+    <message>
+        <source>%1 lies beyond the travel, %2</source>
+        <translation>%1 liegt jenseits des Gesamtwegs, %2</translation>
+    </message>
+    <message>
+        <source>%1 does not lie between rest and the actuation point, %2</source>
+        <translation>%1 liegt nicht zwischen Ruhelage und Auslösepunkt, %2</translation>
+    </message>
+    <message>
+        <source>Set less than %1</source>
+        <translation>Weniger als %1 einstellen</translation>
+    </message>
+    <message>
+        <source>%1 from rest reaches past the release point, %2</source>
+        <translation>%1 ab der Ruhelage reicht über den Rückstellpunkt, %2, hinaus</translation>
+    </message>
+    <message>
+        <source>Set at most %1, or move the release point down</source>
+        <translation>Höchstens %1 einstellen oder den Rückstellpunkt tiefer legen</translation>
+    </message>
+    <message>
+        <source>%1 before the end of the travel, %2, reaches past the actuation point, %3</source>
+        <translation>%1 vor dem Ende des Wegs, %2, reicht über den Auslösepunkt, %3, hinaus</translation>
+    </message>
+    <message>
+        <source>Set at most %1, or move the actuation point up</source>
+        <translation>Höchstens %1 einstellen oder den Auslösepunkt höher legen</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
@@ -12469,6 +12724,65 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Choose another rate</source>
         <translation>Wählen Sie eine andere Rate</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback::MagneticSensor</name>
+    <message>
+        <source>holds fewer than two pairs</source>
+        <translation>enthält weniger als zwei Paare</translation>
+    </message>
+    <message>
+        <source>Measure readings at several places of the travel</source>
+        <translation>An mehreren Stellen des Wegs messen</translation>
+    </message>
+    <message>
+        <source>is not finite</source>
+        <translation>ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>Remove or correct it</source>
+        <translation>Entfernen oder berichtigen</translation>
+    </message>
+    <message>
+        <source>does not lie deeper than the pair before</source>
+        <translation>liegt nicht tiefer als das Paar davor</translation>
+    </message>
+    <message>
+        <source>Sort the pairs by displacement</source>
+        <translation>Die Paare nach dem Weg ordnen</translation>
+    </message>
+    <message>
+        <source>reads no farther the same way than the pair before</source>
+        <translation>setzt die Messwerte nicht in derselben Richtung fort wie das Paar davor</translation>
+    </message>
+    <message>
+        <source>Leave out the part of the travel in which the sensor does not tell places apart</source>
+        <translation>Den Teil des Wegs weglassen, in dem der Sensor Stellen nicht unterscheidet</translation>
+    </message>
+    <message>
+        <source>Give a CSV with the header displacement_mm,reading</source>
+        <translation>Eine CSV mit der Kopfzeile displacement_mm,reading angeben</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>has no columns displacement_mm and reading</source>
+        <translation>hat keine Spalten displacement_mm und reading</translation>
+    </message>
+    <message>
+        <source>does not hold two finite numbers</source>
+        <translation>enthält keine zwei endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>is not within 0 and 1000000 counts</source>
+        <translation>liegt nicht zwischen 0 und 1000000 Schritten des Wandlers</translation>
+    </message>
+    <message>
+        <source>Give the standard deviation of the readings at rest</source>
+        <translation>Die Standardabweichung der Messwerte in Ruhe angeben</translation>
     </message>
 </context>
 <context>

@@ -144,4 +144,12 @@ void ExportController::device(DocumentTab& tab) {
         [&](const QString& path) { return exportForDevice(tab.document().button(), chosen->wanted, path); });
 }
 
+void ExportController::magneticKey(DocumentTab& tab) {
+  const auto header = at_.prompts.magneticKey(&at_.window, tab.document().button(), at_.view.units());
+  if (!header) return;
+  write(tab, tr("Export for a magnetic keyboard"), tr("C header") + " (*.h)", ".h", [&](const QString& path) {
+    return writeTextFileAtomically(QFile::encodeName(path).toStdString(), *header);
+  });
+}
+
 }  // namespace detent::editor

@@ -37,6 +37,9 @@ class ExportController : public QObject {
   /// A press in the format of another device, which a dialogue requests.
   void device(DocumentTab& tab);
 
+  /// Settings of a magnetic keyboard's key, as a C header for its firmware.
+  void magneticKey(DocumentTab& tab);
+
  signals:
   /// Something was written: a sentence for the status bar.
   void done(const QString& sentence);

@@ -134,6 +134,10 @@ void MainWindow::makeFileActions() {
       tabAction("exportDevice", tr("For a &device…"),
                 tr("Export a press for phones, headsets, driver chips, firmware and touchpads"),
                 QKeySequence("Ctrl+Alt+V"), [this](DocumentTab& tab) { files_->exports().device(tab); }));
+  exports->addAction(tabAction(
+      "exportMagnetic", tr("For a &magnetic keyboard…"),
+      tr("Choose rapid trigger and dead zones, see what the key does, export a C header"),
+      QKeySequence("Ctrl+Alt+Y"), [this](DocumentTab& tab) { files_->exports().magneticKey(tab); }));
   menu->addAction(
       tabAction("sharePage", tr("S&hare as web page…"),
                 tr("Write a web page that anyone can open and press, with nothing else installed"),

@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include "editor/library/template_dialog.h"
+#include "editor/window/magnetic_dialog.h"
 
 namespace detent::editor {
 namespace {
@@ -79,6 +80,12 @@ std::optional<GraphExport> Prompts::graphExport(QWidget* parent, const Button& b
                                                 const DisplayUnits& units) {
   GraphExportDialog dialog(button, units, parent);
   return dialog.exec() == QDialog::Accepted ? std::optional(dialog.choice()) : std::nullopt;
+}
+
+std::optional<std::string> Prompts::magneticKey(QWidget* parent, const Button& button,
+                                                const DisplayUnits& units) {
+  MagneticDialog dialog(button, units, parent);
+  return dialog.exec() == QDialog::Accepted ? std::optional(dialog.header()) : std::nullopt;
 }
 
 bool Prompts::printer(QWidget* parent, QPrinter& printer) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <QStringList>
 #include <QWidget>
+#include <string>
 
 #include "editor/window/device_export_dialog.h"
 #include "editor/window/graph_export_dialog.h"
@@ -40,6 +41,9 @@ class Prompts {
   virtual std::optional<DeviceChoice> deviceExport(QWidget* parent, const Button& button);
   /// Format of the button's graph.
   virtual std::optional<GraphExport> graphExport(QWidget* parent, const Button& button,
+                                                 const DisplayUnits& units);
+  /// C header with the settings of a magnetic keyboard's key.
+  virtual std::optional<std::string> magneticKey(QWidget* parent, const Button& button,
                                                  const DisplayUnits& units);
   /// Requests the printer; false: cancelled.
   virtual bool printer(QWidget* parent, QPrinter& printer);

@@ -21,6 +21,7 @@ class ScriptedPrompts : public Prompts {
   QString printedTo;              ///< a PDF; empty: printing is cancelled
   bool takesSuggestions = false;  ///< files are saved where the editor proposes
   std::deque<DeviceChoice> deviceAnswers;
+  std::deque<std::string> magneticAnswers;
   std::deque<GraphExport> graphAnswers;
   int unexpected = 0;
   QStringList lastUnsaved;
@@ -52,6 +53,10 @@ class ScriptedPrompts : public Prompts {
   std::optional<GraphExport> graphExport(QWidget*, const Button&, const DisplayUnits&) override {
     if (graphAnswers.empty()) return std::nullopt;
     return next(graphAnswers, {});
+  }
+
+  std::optional<std::string> magneticKey(QWidget*, const Button&, const DisplayUnits&) override {
+    return magneticAnswers.empty() ? std::nullopt : std::optional(next(magneticAnswers, {}));
   }
 
   bool printer(QWidget*, QPrinter& printer) override {
