@@ -86,7 +86,7 @@ bool MagneticKey::follow(double displacement_mm) {
       settings_.bottomDeadZone_mm > 0 && displacement_mm >= settings_.travel_mm - settings_.bottomDeadZone_mm;
   const bool changes =
       closed_ ? !atBottom && shouldOpen(displacement_mm) : atBottom || shouldClose(displacement_mm);
-  if (rapidActive_ && settings_.rapid->continuous && displacement_mm <= rapidEnds_mm()) rapidActive_ = false;
+  if (displacement_mm <= rapidEnds_mm()) rapidActive_ = false;
   if (!changes) return false;
   closed_ = !closed_;
   if (closed_) rapidActive_ = settings_.rapid.has_value();

@@ -49,7 +49,7 @@ struct KeyCase {
 
 TEST_CASE("magnetic key: closed and open along a movement, as defined") {
   const RapidTrigger quarterDown{0.25, 0.5, false}, halfDown{0.5, 0.25, false}, longDown{1, 0.5, false};
-  const RapidTrigger continuous{0.25, 0.5, true}, small{0.125, 0.125, false};
+  const RapidTrigger continuous{0.25, 0.5, true}, longest{4, 4, false}, small{0.125, 0.125, false};
   const KeyCase cases[] = {
       {"fixed points", keyOf({}), {0, 1.875, 2, 4, 1.625, 1.5, 1.875, 2}, "..###..#"},
       {"a distance for each direction: 0.5 up from 3 opens, 0.25 down from 2.25 closes",
@@ -65,6 +65,7 @@ TEST_CASE("magnetic key: closed and open along a movement, as defined") {
        keyOf(longDown),
        {2, 3, 2.5, 1.625, 2, 2.625},
        "##...#"},
+      {"released past it, the actuation point counts", keyOf(longDown), {2, 3, 2.5, 1.5, 2}, "##..#"},
       {"continuous: closes above the actuation point, until fully released",
        keyOf(continuous, 0.125),
        {2, 3, 2.5, 1, 1.25, 0.75, 0.25, 0.5, 0.125, 0.5, 1.875, 2},
@@ -77,6 +78,10 @@ TEST_CASE("magnetic key: closed and open along a movement, as defined") {
        keyOf(RapidTrigger{4, 4, true}, 0.125),
        {2, 4, 0.25, 0.125, 2},
        "###.#"},
+      {"distances as long as the travel: as fixed points",
+       keyOf(longest),
+       {2, 4, 1.625, 1.5, 1.875, 2},
+       "###..#"},
       {"bottom dead zone: held, and closes on entering it; distances count from the deepest place",
        keyOf(halfDown, 0, 0.5),
        {2, 4, 3.5, 3.4375, 3.5, 3.625, 3.4375, 3.375},
