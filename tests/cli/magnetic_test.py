@@ -50,7 +50,7 @@ class Magnetic(unittest.TestCase):
     def settings(self, *options):
         result = self.magnetic("--json", *options)
         self.assertEqual(result.returncode, 0, result.stderr)
-        return {one["rapid_trigger_mm"]: one for one in json.loads(result.stdout)["settings"]}
+        return {one["rapid_trigger_mm"]: one for one in reversed(json.loads(result.stdout)["settings"])}
 
     def measured(self):
         path = self.folder / "readings.csv"
@@ -129,6 +129,34 @@ class Magnetic(unittest.TestCase):
         rare = self.settings("--scan-ms", 100, "--noise", 0)
         self.assertGreater(rare[None]["lost_per_1000"], 0)
 
+    def test_rapid_trigger_with_all_its_settings(self):
+        out = self.folder / "key.h"
+        self.assertEqual(self.magnetic("--rapid-trigger", 0.2, "-o", out).returncode, 0)
+        macros = dict(re.findall(r"#define (DETENT_\w+_UM|DETENT_RAPID_CONTINUOUS) (\d+)", out.read_text()))
+        self.assertEqual(macros, {"DETENT_TRAVEL_UM": "4000", "DETENT_ACTUATE_UM": "2000", "DETENT_RESET_UM": "1400",
+                                  "DETENT_RAPID_UM": "200"})
+        result = self.magnetic("--rapid-trigger", 0.2, "--rapid-release", 0.35, "--continuous", "--top-dead-zone", 0.1,
+                               "--bottom-dead-zone", 0.25, "--json", "-o", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        macros |= {"DETENT_RAPID_RELEASE_UM": "350", "DETENT_RAPID_CONTINUOUS": "1", "DETENT_TOP_DEAD_ZONE_UM": "100",
+                   "DETENT_BOTTOM_DEAD_ZONE_UM": "250"}
+        self.assertEqual(dict(re.findall(r"#define (DETENT_\w+_UM|DETENT_RAPID_CONTINUOUS) (\d+)", out.read_text())), macros)
+        subprocess.run([ARGUMENTS.cc, "-std=c99", "-Wall", "-pedantic", "-Werror", "-fsyntax-only", str(out)], check=True)
+        told = json.loads(result.stdout)
+        self.assertEqual((told["top_dead_zone_mm"], told["bottom_dead_zone_mm"]), (0.1, 0.25))
+        chosen = told["settings"][0]
+        self.assertEqual((chosen["rapid_trigger_mm"], chosen["rapid_release_mm"], chosen["continuous"]), (0.2, 0.35, True))
+        self.assertIn("0.200/0.350 mm", result.stderr)
+
+    def test_a_bottom_dead_zone_holds_a_noisy_key(self):
+        noisy = ("--readings", self.measured(), "--noise", 20, "--rapid-trigger", 0.05)
+        free = self.settings(*noisy)[0.05]
+        self.assertGreater(free["lets_go_per_minute"], 100)
+        # Longer upwards, it lets go less often where there is no dead zone.
+        kept = self.settings(*noisy, "--bottom-dead-zone", 0.5, "--rapid-release", 0.4)[0.05]
+        self.assertEqual(kept["lets_go_per_minute"], 0)
+        self.assertLess(kept["lets_go_shallow_per_minute"], free["lets_go_shallow_per_minute"])
+
     def test_what_is_refused(self):
         bad = self.folder / "bad.csv"
         out = self.folder / "key.h"
@@ -139,8 +167,11 @@ class Magnetic(unittest.TestCase):
             self.assertEqual(result.returncode, 3, text + result.stderr)
             self.assertEqual(result.stderr.count("\n"), 1)
         self.assertEqual(self.magnetic("--readings", self.folder / "none.csv").returncode, 3)
-        for options in (("-o", self.folder / "key.txt"), ("--reset-at", 3), ("--noise", -1), ("--operate-at", 9)):
-            self.assertEqual(self.magnetic(*options).returncode, 2, options)
+        self.assertEqual(self.magnetic("-o", self.folder / "key.txt").returncode, 2)
+        for options in (("--reset-at", 3), ("--noise", -1), ("--operate-at", 9), ("--rapid-release", 0.3),
+                        ("--continuous",), ("--rapid-trigger", 0), ("--rapid-trigger", 5), ("--bottom-dead-zone", "nan"),
+                        ("--rapid-trigger", 0.1, "--rapid-release", 5), ("--top-dead-zone", 1.5), ("--bottom-dead-zone", 2.1)):
+            self.assertEqual(self.magnetic(*options, "-o", out).returncode, 2, options)
         self.assertEqual(self.magnetic(button="latch").returncode, 2)
         self.assertFalse(out.exists())
 

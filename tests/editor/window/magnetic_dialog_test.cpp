@@ -64,10 +64,11 @@ class MagneticDialogTest : public QObject {
     };
     type(dialog, "magneticReset", "2");
     QVERIFY(refused("release point: 2 mm does not lie between rest and the actuation point, 2 mm."));
+    type(dialog, "magneticReset", "1.5");
+    QVERIFY(accept(dialog)->isEnabled() && said(dialog, "magneticRefusal").isEmpty());
     type(dialog, "magneticReset", "abc");
     QVERIFY(!accept(dialog)->isEnabled() && !said(dialog, "magneticRefusal").isEmpty());
     type(dialog, "magneticReset", "1.5");
-    QVERIFY(accept(dialog)->isEnabled() && said(dialog, "magneticRefusal").isEmpty());
     type(dialog, "magneticTop", "1.6");
     QVERIFY(refused("top dead zone: 1.6 mm from rest reaches past the release point, 1.5 mm."));
     type(dialog, "magneticTop", "0");

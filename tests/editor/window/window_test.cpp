@@ -632,6 +632,14 @@ class WindowTest : public QObject {
     for (const char* file : {"b.press.ahap", "b.release.ahap"}) QVERIFY2(QFile::exists(at(file)), file);
     rig.action("exportDevice")->trigger();  // cancelled: no question, no file, no message
     QVERIFY(rig.notices().isEmpty());
+    rig.prompts.magneticAnswers = {"#define DETENT_RAPID_UM 100\n"};
+    rig.prompts.saveAnswers = {at("key")};
+    rig.action("exportMagnetic")->trigger();
+    QFile key(at("key.h"));
+    QVERIFY(key.open(QIODevice::ReadOnly));
+    QCOMPARE(key.readAll(), "#define DETENT_RAPID_UM 100\n");
+    rig.action("exportMagnetic")->trigger();  // cancelled
+    QVERIFY(rig.notices().isEmpty());
     // If a format has no room for the press, this is reported before anything is written.
     rig.window->files().open({sample("buttons/latch.button.json")});
     DeviceExportDialog latch(rig.document().button());
