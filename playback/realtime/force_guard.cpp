@@ -165,7 +165,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
   moved_mm_ = 0;
   if (running_ && elapsed_s_ > std::max(limits_.stall_s, longestStall * period_s_)) {
     ++counts_.stalled;
-    paused_ = true;
+    interrupted_ = true;
     riseAnew();
   }
   since_ += periods;
@@ -176,8 +176,6 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
     if (started_ && since_ > 0) pace_mm_ = (position_mm - last_mm_) / since_;
     if (started_) moved_mm_ = position_mm - last_mm_;
     follow(position_mm);
-    // A finger that lost its force threw the handle there: the force that comes back would throw it out.
-    if (std::exchange(paused_, false) && position_mm > limits_.travelEnd_mm + farBeyond_mm) displace();
     since_ = unseen_ = 0;
     bad_ = 0;
     if (good_ <= limits_.heldReadings) ++good_;
@@ -191,7 +189,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
 }
 
 void ForceGuard::forgetPlace() {
-  started_ = paused_ = false;
+  started_ = interrupted_ = false;
   settled_ = unchanged_ = 0;
   pace_mm_ = since_ = unseen_ = jumps_ = 0;
   paces_mm_.fill(0);
@@ -256,7 +254,20 @@ bool ForceGuard::mayRise() const {
          (running_ || (speedKnown_ && good_ > limits_.heldReadings));
 }
 
+// A finger that lost its force throws the handle far beyond the travel. A force that came back there would
+// throw it out again.
+void ForceGuard::haltThrown() {
+  if (!mayRise() || running_ || !std::exchange(interrupted_, false)) return;
+  if (last_mm_ <= limits_.travelEnd_mm + farBeyond_mm) return;
+  if (droppedOutLately()) {
+    latch(ForceHalt::dropOuts);
+  } else {
+    displace();
+  }
+}
+
 void ForceGuard::moveGain() {
+  haltThrown();
   if (mayRise()) {
     running_ = true;
     gain_ = std::min(1.0, gain_ + period_s_ / limits_.startRamp_s);
@@ -264,6 +275,7 @@ void ForceGuard::moveGain() {
   }
   if (running_ && (bad_ > held() || displaced_)) {
     ++counts_.faded;
+    interrupted_ = true;
     countDropOut();
   }
   running_ = false;
