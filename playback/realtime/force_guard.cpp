@@ -44,7 +44,8 @@ constexpr double uncountedFor_s = 0.2, probe_s = 0.11, withoutForce_s = 0.1, pro
 // done without it, because it came back as speed, or because the handle passed the end of travel under the
 // full force without slowing down, or for too long.
 constexpr double wholeShare = 0.95, runawayWork_mJ = 0.7, leastResisting_N = 0.2;
-constexpr double leastGain_mJ = 1;  // if the limit is below the button's force, a finger may press through it
+// Within the travel: if the limit is below the button's force, a finger may press through it.
+constexpr double leastGain_mJ = 1;
 constexpr double gainedAtLimit = 0.2,  // the handle may be heavier than the profile states
     gainedBeyond = 0.8;                // a strong finger may still accelerate just beyond the travel
 constexpr double farBeyond_mm = 2, slowing = 0.8, notSlowingFor_s = 0.0015, pinnedFor_s = 0.1,
@@ -329,8 +330,8 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   beyond_s_ = far && speed_mm_per_s > slowing * fastest_mm_per_s_ ? beyond_s_ + elapsed_s_ : 0;
   const double gained_mJ = now_mJ - entered_mJ_;
   const bool gained = resisted_mJ_ >= runawayWork_mJ &&
-                      (whole ? gained_mJ >= std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_)
-                             : gained_mJ >= gainedBeyond * resisted_mJ_);
+                      gained_mJ >= (whole ? gainedAtLimit : gainedBeyond) * resisted_mJ_ &&
+                      (beyond_mm > 0 || gained_mJ >= leastGain_mJ);
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
   // A force that came and went has thrown the handle there.
   latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);
