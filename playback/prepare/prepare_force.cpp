@@ -429,7 +429,9 @@ class ForcePreparation {
       const double at_mm = placeOf(to, i);
       const double damping = dampingAt(from.damping, at_mm);
       if (damping > strongest) strongest = damping, strongest_mm = at_mm;
-      to.rows[i].damping_Ns_per_mm = static_cast<float>(std::min(damping, largest));
+      // The first row applies to every smaller displacement: a handle out there is let go.
+      const double held = std::min(1.0, (at_mm - to.first_mm) / restraintEnd_mm);
+      to.rows[i].damping_Ns_per_mm = static_cast<float>(held * std::min(damping, largest));
     }
     if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
   }

@@ -44,7 +44,8 @@ constexpr double uncountedFor_s = 0.2, probe_s = 0.11, withoutForce_s = 0.1, pro
 // done without it, because it came back as speed, or because the handle passed the end of travel under the
 // full force without slowing down, or for too long.
 constexpr double wholeShare = 0.95, runawayWork_mJ = 0.7, leastResisting_N = 0.2;
-constexpr double leastGain_mJ = 1;  // if the limit is below the button's force, a finger may press through it
+// Within the travel: if the limit is below the button's force, a finger may press through it.
+constexpr double leastGain_mJ = 1;
 constexpr double gainedAtLimit = 0.2,  // the handle may be heavier than the profile states
     gainedBeyond = 0.8;                // a strong finger may still accelerate just beyond the travel
 constexpr double farBeyond_mm = 2, slowing = 0.8, notSlowingFor_s = 0.0015, pinnedFor_s = 0.1,
@@ -165,7 +166,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
   moved_mm_ = 0;
   if (running_ && elapsed_s_ > std::max(limits_.stall_s, longestStall * period_s_)) {
     ++counts_.stalled;
-    paused_ = true;
+    interrupted_ = true;
     riseAnew();
   }
   since_ += periods;
@@ -176,8 +177,6 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
     if (started_ && since_ > 0) pace_mm_ = (position_mm - last_mm_) / since_;
     if (started_) moved_mm_ = position_mm - last_mm_;
     follow(position_mm);
-    // A finger that lost its force threw the handle there: the force that comes back would throw it out.
-    if (std::exchange(paused_, false) && position_mm > limits_.travelEnd_mm + farBeyond_mm) displace();
     since_ = unseen_ = 0;
     bad_ = 0;
     if (good_ <= limits_.heldReadings) ++good_;
@@ -191,7 +190,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
 }
 
 void ForceGuard::forgetPlace() {
-  started_ = paused_ = false;
+  started_ = interrupted_ = false;
   settled_ = unchanged_ = 0;
   pace_mm_ = since_ = unseen_ = jumps_ = 0;
   paces_mm_.fill(0);
@@ -256,7 +255,20 @@ bool ForceGuard::mayRise() const {
          (running_ || (speedKnown_ && good_ > limits_.heldReadings));
 }
 
+// A finger that lost its force throws the handle far beyond the travel. A force that came back there would
+// throw it out again.
+void ForceGuard::haltThrown() {
+  if (!mayRise() || running_ || !std::exchange(interrupted_, false)) return;
+  if (last_mm_ <= limits_.travelEnd_mm + farBeyond_mm) return;
+  if (droppedOutLately()) {
+    latch(ForceHalt::dropOuts);
+  } else {
+    displace();
+  }
+}
+
 void ForceGuard::moveGain() {
+  haltThrown();
   if (mayRise()) {
     running_ = true;
     gain_ = std::min(1.0, gain_ + period_s_ / limits_.startRamp_s);
@@ -264,6 +276,7 @@ void ForceGuard::moveGain() {
   }
   if (running_ && (bad_ > held() || displaced_)) {
     ++counts_.faded;
+    interrupted_ = true;
     countDropOut();
   }
   running_ = false;
@@ -317,8 +330,8 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   beyond_s_ = far && speed_mm_per_s > slowing * fastest_mm_per_s_ ? beyond_s_ + elapsed_s_ : 0;
   const double gained_mJ = now_mJ - entered_mJ_;
   const bool gained = resisted_mJ_ >= runawayWork_mJ &&
-                      (whole ? gained_mJ >= std::max(leastGain_mJ, gainedAtLimit * resisted_mJ_)
-                             : gained_mJ >= gainedBeyond * resisted_mJ_);
+                      gained_mJ >= (whole ? gainedAtLimit : gainedBeyond) * resisted_mJ_ &&
+                      (beyond_mm > 0 || gained_mJ >= leastGain_mJ);
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
   // A force that came and went has thrown the handle there.
   latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);

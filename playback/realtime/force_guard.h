@@ -31,7 +31,7 @@ enum class ForceHalt : std::uint8_t {
   /// the handle kept moving against the full force: the motor is reversed, or a finger presses harder than
   /// the limit
   runaway,
-  dropOuts,  ///< readings failed repeatedly
+  dropOuts,  ///< readings failed repeatedly, or once while the handle was thrown far beyond its travel
   /// the position jumped, the device was absent or reset, or a pause ended with the handle far beyond the
   /// travel, so the position of the handle is unknown
   displaced,
@@ -110,6 +110,7 @@ class ForceGuard {
   bool frozen(double force_N) const;
   void follow(double position_mm);
   bool mayRise() const;
+  void haltThrown();
   void moveGain();
   double watchedCount(double force_N);
   void watchRunaway(std::optional<double> velocity_mm_per_s);
@@ -132,7 +133,7 @@ class ForceGuard {
   std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
   std::uint32_t settled_ = 0;          ///< good readings since the position was accepted without proof
   bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
-  bool paused_ = false;  ///< the loop stood still, and no reading has been believed since
+  bool interrupted_ = false;  ///< the force ended because readings failed or the loop stood still
   ForceHalt latched_ = ForceHalt::none;
   double time_s_ = 0;                              ///< since the start
   std::array<double, mostDropOuts> dropOuts_s_{};  ///< the most recent ones, as a ring buffer

@@ -263,6 +263,54 @@ TEST_CASE("a turned encoder of 50 g, read up to a whole period early", "[!should
   turnsRound(0.05, 1, 0);
 }
 
+TEST_CASE("an encoder that turns round below the force limit: off within 3 mm outside the travel") {
+  for (const double stiffness_N_per_mm : {0.3, 0.5, 0.8, 1.0}) {
+    for (const double held_mm : {1.0, 1.5, 2.0, 2.5}) {
+      ForceDeviceProfile profile = wiredDevice();
+      profile.limits.force_N = 3;
+      const Button button = plainSpring(stiffness_N_per_mm, 4);
+      const PreparedForce prepared = forceOf(button, profile);
+      SimulatedDeviceSettings handle = simulationOf(profile, prepared);
+      handle.mass_kg = 0.1;  // the preset does not know
+      handle.lowest_mm = -40;
+      const double push_N = held_mm * stiffness_N_per_mm;
+      Wired w(button, profile, FingerForcePath{{0, 0.3, 0.5, 1.2, 1.202}, {0, 0, push_N, push_N, 0}},
+              &handle);
+      w.runUntil(1.2);
+      w.encoder = -1;
+      w.turnedAt_mm = w.true_mm;
+      CHECK(w.secondsToNothing() <= 0.1);
+      INFO(stiffness_N_per_mm << " N/mm held at " << held_mm << " mm");
+      CHECK(w.engine().halt() == ForceHalt::runaway);
+      CHECK(w.true_mm >= -3);
+    }
+  }
+}
+
+TEST_CASE("a handle that lost readings threw beyond its travel gets no force there") {
+  for (const double stiffness_N_per_mm : {0.8, 1.5}) {
+    ForceDeviceProfile profile = wiredDevice();
+    profile.limits.force_N = 3;
+    const Button button = plainSpring(stiffness_N_per_mm, 4);
+    const PreparedForce prepared = forceOf(button, profile);
+    SimulatedDeviceSettings handle = simulationOf(profile, prepared);
+    handle.mass_kg = 0.1;
+    Wired w(button, profile, FingerForcePath{{0, 0.3, 0.5}, {0, 0, 1.2}}, &handle);
+    w.runUntil(1.2);
+    REQUIRE(w.engine().halt() == ForceHalt::none);
+    w.lost = 0.6;
+    double farthest_mm = 0, outside_mm = 0;
+    while (w.time_s < 2.2) {
+      const double force_N = w.step().force_N;
+      farthest_mm = std::max(farthest_mm, w.true_mm - 4);
+      if (force_N > 0.1) outside_mm = std::max(outside_mm, w.true_mm - 4);
+    }
+    INFO(stiffness_N_per_mm << " N/mm");
+    CHECK(farthest_mm > 3);
+    CHECK(outside_mm < 3);
+  }
+}
+
 TEST_CASE("a handle that drop-outs of the force threw beyond its travel: it is the drop-outs that are said") {
   Wired w(plainSpring(1, 10), wiredDevice(), FingerForcePath{{0, 0.3, 0.5}, {0, 0, 4}});
   w.runUntil(1.2);

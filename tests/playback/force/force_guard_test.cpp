@@ -213,18 +213,29 @@ TEST_CASE("force guard: after a pause longer than a device waits, the force begi
     CHECK(before_N == 1);
     CHECK(guard.counts().stalled == 1);
   }
-  for (const double beyond_mm : {1.5, 2.5}) {  // of a travel of 4 mm
-    ForceLimits ends;
-    ends.travelEnd_mm = 4;
-    ForceGuard guard(ends, period_s, 0.01);
-    for (int i = 0; i < 400; ++i) guard.judge(1, true), guard.limit(1, 0);
-    REQUIRE(guard.gain() == 1);
-    guard.judge(1, false, 58);  // the answer of before the pause
-    for (int i = 0; i < 250; ++i) guard.judge(4 + beyond_mm, true), guard.limit(1, 0);
-    CHECK(guard.halt() == (beyond_mm < 2 ? ForceHalt::none : ForceHalt::displaced));
-    CHECK(guard.gain() == (beyond_mm < 2 ? 1 : 0));
-  }
   ForceGuard brief = running();
   brief.judge(1, true, 8);
   CHECK(brief.limit(1, 0) == 1);
+}
+
+TEST_CASE("force guard: a handle that an interruption of the force threw beyond its travel is a halt") {
+  for (const bool paused : {true, false}) {
+    for (const double beyond_mm : {1.5, 2.5}) {  // of a travel of 4 mm
+      ForceLimits ends;
+      ends.travelEnd_mm = 4;
+      ForceGuard guard = running(ends);
+      REQUIRE(guard.gain() == 1);
+      const int missing = paused ? 1 : 20;
+      for (int i = 0; i < missing; ++i) guard.judge(1, false, paused ? 58 : 1), guard.limit(1, 0);
+      REQUIRE(guard.gain() == 0);
+      for (int i = 0; i < 250; ++i) guard.judge(4 + beyond_mm, true), guard.limit(1, 0);
+      const ForceHalt thrown = paused ? ForceHalt::displaced : ForceHalt::dropOuts;
+      INFO((paused ? "paused, " : "without readings, ") << beyond_mm << " mm beyond the travel");
+      CHECK(guard.halt() == (beyond_mm < 2 ? ForceHalt::none : thrown));
+      CHECK(guard.gain() == (beyond_mm < 2 ? 1 : 0));
+      guard.rearm();
+      for (int i = 0; i < 250; ++i) guard.judge(4, true), guard.limit(1, 0);
+      CHECK(guard.gain() == 1);
+    }
+  }
 }

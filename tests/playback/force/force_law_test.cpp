@@ -85,6 +85,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("force law: a handle far below its rest is let go at every speed, damped or not") {
+  for (const double damping_Ns_per_mm : {0.0, 0.004}) {
+    const Result<Button> button = springButton("damped", {{0.4}, {damping_Ns_per_mm}, 4});
+    REQUIRE(button);
+    for (const ForceDeviceProfile& device : presets()) {
+      const PreparedForce prepared = forceOf(*button, device);
+      ForceLaw law(prepared.program);
+      law.restart(-2);
+      CHECK(law.step(-2, -100) < 0);
+      law.restart(-6);
+      for (const double speed_mm_per_s : {-500.0, 0.0, 500.0}) CHECK(law.step(-6, speed_mm_per_s) == 0);
+    }
+  }
+}
+
 TEST_CASE("force law: what a button does not have is not computed") {
   const PreparedForce spring = forceOf(sampleButton("push"), simulatedDevice());
   CHECK_FALSE(spring.program.states[0].hysteresis);

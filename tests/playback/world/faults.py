@@ -32,7 +32,8 @@ from plant import Finger, Link
 from session import Scene, play
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, PAUSE_S, ATTEMPTS, RISE_S = 3.0, 4.0, 3.0, 0.006, 0.003, 3, 0.2
+LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, PAUSE_S, ATTEMPTS = 3.0, 4.0, 3.0, 0.006, 0.003, 3
+RISE_S, RAMP_N = 0.2, 0.02  # tolerance above the ramp
 FAULT_S, END_S = 1.2, 1.75
 LINKS = ("serial", "ODrive", "upload")
 SAMPLES = [str(ROOT / f"samples/buttons/{name}.button.json") for name in ("A", "B", "C", "D", "E", "F", "EF", "push")]
@@ -52,7 +53,7 @@ class Fault:
     says: tuple = ()
     change: dict = field(default_factory=dict)  # of the scene
     link: dict = field(default_factory=dict)
-    odrive_s: float = 0.055
+    odrive_s: float | None = 0.055
     upload_none_s: float | None = -1.0  # -1: as `none_s`
     links: tuple = LINKS
 
@@ -107,7 +108,8 @@ def faults():
         yield Fault(name, 0.020, (), {"signal": getattr(signal, name)}, odrive_s=0.020)
     for name in ("SIGKILL", "SIGSEGV", "SIGQUIT"):
         yield Fault(name, 0.020, (), {"signal": getattr(signal, name)})
-    yield Fault("the program stands still for 58 ms", None, (), {"stall_s": 0.058})
+    # An ODrive's own watchdog waits for 50 ms.
+    yield Fault("the program stands still for 58 ms", 0.020, (), {"stall_s": 0.058}, odrive_s=None)
     yield Fault("the program stands still for 500 ms", 0.020, (), {"stall_s": 0.5})
     yield Fault("a second program at the port", None, (), {"second": True})
 
@@ -159,7 +161,7 @@ def judge(program, fault, link, number):
         found.wrong = [f"{found.largest_N:.3f} N"] if found.largest_N > LIMIT_N + 0.001 else []
         if bar_s and found.none_s > bar_s + SLACK_S:
             found.wrong.append(f"no force after {1000 * found.none_s:.0f} ms")
-        if above_ramp_N(outcome.moments, goes_on_s) > 0.1:
+        if above_ramp_N(outcome.moments, goes_on_s) > RAMP_N:
             found.wrong.append(f"{above_ramp_N(outcome.moments, goes_on_s):.2f} N above the ramp")
         if found.outside_mm > OUTSIDE_MM:
             found.wrong.append(f"{found.outside_mm:.1f} mm outside")
