@@ -9442,10 +9442,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Achse %1 nennt keine Einheit; %2 wäre geraten</translation>
     </message>
     <message>
-        <source>the %1 axis measures &quot;%2&quot;</source>
-        <translation>die Achse %1 misst „%2“</translation>
-    </message>
-    <message>
         <source>a travel of %1 is not a button&apos;s</source>
         <translation>ein Weg von %1 ist für einen Taster unplausibel</translation>
     </message>
@@ -9492,10 +9488,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the force axis begins at %1 and a curve goes below it</source>
         <translation>die Kraftachse beginnt bei %1, und eine Kurve läuft darunter weiter</translation>
-    </message>
-    <message>
-        <source>a second scale on the right measures something else</source>
-        <translation>eine zweite Skala rechts misst etwas anderes</translation>
     </message>
     <message>
         <source>ink like a curve&apos;s is left over around %1, %2</source>
@@ -10169,6 +10161,30 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>the axes are exchanged: force runs to the right and travel upwards</source>
         <translation>die Achsen sind vertauscht: Die Kraft verläuft nach rechts und der Weg nach oben</translation>
     </message>
+    <message>
+        <source>measures &quot;%1&quot;</source>
+        <translation>misst „%1“</translation>
+    </message>
+    <message>
+        <source>is logarithmic</source>
+        <translation>ist logarithmisch</translation>
+    </message>
+    <message>
+        <source>has categories in place of a scale</source>
+        <translation>zeigt Kategorien statt einer Skala</translation>
+    </message>
+    <message>
+        <source>Use a plot with linear axes</source>
+        <translation>Ein Diagramm mit linearen Achsen verwenden</translation>
+    </message>
+    <message>
+        <source>the %1 axis %2</source>
+        <translation>die Achse %1 %2</translation>
+    </message>
+    <message>
+        <source>a second scale on the right %1</source>
+        <translation>eine zweite Skala rechts %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10198,6 +10214,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Use the whole picture</source>
         <translation>Das ganze Bild verwenden</translation>
+    </message>
+    <message>
+        <source>measures forces too</source>
+        <translation>misst ebenfalls Kräfte</translation>
+    </message>
+    <message>
+        <source>measures &quot;%1&quot;</source>
+        <translation>misst „%1“</translation>
+    </message>
+    <message>
+        <source>names no unit of force</source>
+        <translation>nennt keine Einheit der Kraft</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "importer/axes/uneven_scale.h"
+
 namespace detent::importer {
 namespace {
 
@@ -49,14 +51,15 @@ bool areExchanged(const AxisCalibration& axes) {
 std::vector<Doubt> otherQuantitiesOf(const AxisCalibration& axes) {
   if (areExchanged(axes)) return {{DoubtCode::axesExchanged, {}, {}}};
   std::vector<Doubt> doubts;
-  if (!axes.x.otherQuantity.empty())
-    doubts.push_back({DoubtCode::otherQuantity,
-                      {"x", axes.x.otherQuantity},
-                      {{RemedyKind::giveXUnit, "if it is a travel all the same"}}});
-  if (!axes.y.otherQuantity.empty())
-    doubts.push_back({DoubtCode::otherQuantity,
-                      {"y", axes.y.otherQuantity},
-                      {{RemedyKind::giveYUnit, "if it is a force all the same"}}});
+  const auto add = [&](const char* axis, const std::string& quantity, Remedy ifItIs) {
+    if (quantity.empty()) return;
+    if (auto ofScale = doubtOfScale(axis, quantity))
+      doubts.push_back(*std::move(ofScale));
+    else
+      doubts.push_back({DoubtCode::otherQuantity, {axis, Message("measures \"%1\"", quantity)}, {ifItIs}});
+  };
+  add("x", axes.x.otherQuantity, {RemedyKind::giveXUnit, "if it is a travel all the same"});
+  add("y", axes.y.otherQuantity, {RemedyKind::giveYUnit, "if it is a force all the same"});
   return doubts;
 }
 

@@ -44,12 +44,11 @@ const char* nameOf(Axis axis) { return axis == Axis::x ? "x" : "y"; }
 Message placeOf(Axis axis) { return Message("%1 axis", nameOf(axis)); }
 
 Failure unread(const std::optional<AxisLabels>& labels, Axis axis, const std::vector<GridLine>& lines) {
-  if (isLogarithmic(lines))
-    return failureOf({DoubtCode::otherQuantity, {nameOf(axis), logarithmicScale}, {}}, "plot frame",
-                     placeOf(axis));
-  if (labels)
-    if (const std::string scale = unevenScaleIn(*labels, axis); !scale.empty())
-      return failureOf({DoubtCode::otherQuantity, {nameOf(axis), scale}, {}}, "plot frame", placeOf(axis));
+  const std::string scale = isLogarithmic(lines) ? logarithmicScale
+                            : labels             ? unevenScaleIn(*labels, axis)
+                                                 : std::string();
+  if (const auto doubt = doubtOfScale(nameOf(axis), scale))
+    return failureOf(*doubt, "plot frame", placeOf(axis));
   if (labels && labels->numbers() >= 2)
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));

@@ -43,7 +43,16 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   }
   std::vector<std::pair<double, double>> steps;
   for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
-  return offLine(steps) <= fits ? "categories, not to scale" : "";
+  return offLine(steps) <= fits ? categoryScale : "";
+}
+
+std::optional<Doubt> doubtOfScale(const char* axis, std::string_view scale) {
+  if (scale != logarithmicScale && scale != categoryScale) return {};
+  const bool isLogarithm = scale == logarithmicScale;
+  return Doubt{
+      DoubtCode::otherQuantity,
+      {axis, isLogarithm ? Message("is logarithmic") : Message("has categories in place of a scale")},
+      {{RemedyKind::advice, Message("Use a plot with linear axes")}}};
 }
 
 bool isLogarithmic(const std::vector<GridLine>& lines) {

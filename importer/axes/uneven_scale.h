@@ -2,7 +2,9 @@
 #pragma once
 // Detects scales that are not linear, so that the refusal names the kind of scale.
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,11 +12,15 @@
 
 namespace detent::importer {
 
-/// The kind of scale of labels at these positions (pixels along the axis, value): "values on a logarithmic
-/// scale", "categories, not to scale". Empty if a linear scale fits, or if there are too few labels.
+inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
+inline constexpr char categoryScale[] = "categories, not to scale";
+
+/// The kind of scale of labels at these positions (pixels along the axis, value): one of the two above. Empty
+/// if a linear scale fits, or if there are too few labels.
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels);
 
-inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
+/// The doubt about an axis, "x" or "y", with such a scale; nullopt for anything else that an axis measures.
+std::optional<Doubt> doubtOfScale(const char* axis, std::string_view scale);
 
 /// Returns true if gridlines or ticks stand as the logarithms of 1, 2, 3 to 10 do.
 bool isLogarithmic(const std::vector<GridLine>& lines);

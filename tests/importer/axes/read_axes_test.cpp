@@ -316,6 +316,28 @@ TEST_CASE("a letter of another quantity beside a unit of force leaves the axes u
   CHECK(time.value.x.otherQuantity == "t");
 }
 
+TEST_CASE("a doubt about an axis names what the axis shows") {
+  struct Row {
+    const char *quantity, *sentence;
+    bool mayBeForce;
+  };
+  for (const Row& row :
+       {Row{"inductance (H)", "the y axis measures \"inductance (H)\"", true},
+        Row{"kPa", "the y axis measures \"kPa\"", true},
+        Row{"values on a logarithmic scale", "the y axis is logarithmic", false},
+        Row{"categories, not to scale", "the y axis has categories in place of a scale", false}}) {
+    CAPTURE(row.quantity);
+    AxisCalibration axes;
+    CHECK(otherQuantitiesOf(axes).empty());
+    axes.y.otherQuantity = row.quantity;
+    const auto doubts = otherQuantitiesOf(axes);
+    REQUIRE(doubts.size() == 1);
+    CHECK(english(messageOf(doubts[0])) == row.sentence);
+    CHECK(doubts[0].remedies.include(RemedyKind::giveYUnit) == row.mayBeForce);
+    CHECK(doubts[0].remedies.include(RemedyKind::advice) == !row.mayBeForce);
+  }
+}
+
 TEST_CASE("axes whose titles are exchanged stay exchanged, whatever units are given") {
   PlotStyle s;
   s.xStep = 10, s.yStep = 0.25;
