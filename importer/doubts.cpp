@@ -701,7 +701,8 @@ class Doubts {
     const bool settled =
         curvesChosen && !(right == RightScale::otherForces && findings_.strokes.value.release);
     if (right != RightScale::none && !settled && !otherScaleHasItsCurve())
-      add(DoubtCode::otherScale, unconfirmed, {}, ofLeftScale(hints_.trace.pressColor.has_value()));
+      add(DoubtCode::otherScale, unconfirmed, {measureOfRightScale()},
+          ofLeftScale(hints_.trace.pressColor.has_value()));
   }
 
   /// Remedies for a second scale. If a colour was given for both strokes, one of them may be drawn on that
@@ -711,6 +712,20 @@ class Doubts {
       return Message("Pick the press on the left scale and no release if that is drawn on the right scale");
     return {{RemedyKind::pickPress, {}},
             {RemedyKind::pickRelease, "with the colours of the left scale's curves"}};
+  }
+
+  /// Predicate for the second scale: the quantity that its title names, if any.
+  Message measureOfRightScale() const {
+    const LocatedGraph& graph = findings_.graph;
+    if (graph.axes.rightScale == RightScale::otherForces) return Message("measures forces too");
+    const Box frame = graph.frame.value.box();
+    for (const SeenText& text : graph.axes.texts) {
+      const Point middle = text.box.middle();
+      if (text.box.x0 < frame.x1 || middle.y < frame.y0 || middle.y > frame.y1) continue;
+      if (const std::string name = otherQuantityIn(text.utf8, sourceOf(text)); !name.empty())
+        return Message("measures \"%1\"", name);
+    }
+    return Message("names no unit of force");
   }
 
   /// Returns true if another curve was excluded that belongs to the second scale: the legend names it after

@@ -9689,10 +9689,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Achse %1 nennt keine Einheit; %2 wäre geraten</translation>
     </message>
     <message>
-        <source>the %1 axis measures &quot;%2&quot;</source>
-        <translation>die Achse %1 misst „%2“</translation>
-    </message>
-    <message>
         <source>a travel of %1 is not a button&apos;s</source>
         <translation>ein Weg von %1 ist für einen Taster unplausibel</translation>
     </message>
@@ -10432,6 +10428,30 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>the values given for the %1 axis contradict the numbers printed there (%2)</source>
         <translation>die Werte, die für die %1-Achse vorgegeben sind, widersprechen den dort gedruckten Zahlen (%2)</translation>
     </message>
+    <message>
+        <source>measures &quot;%1&quot;</source>
+        <translation>misst „%1“</translation>
+    </message>
+    <message>
+        <source>is logarithmic</source>
+        <translation>ist logarithmisch</translation>
+    </message>
+    <message>
+        <source>has categories in place of a scale</source>
+        <translation>zeigt Kategorien statt einer Skala</translation>
+    </message>
+    <message>
+        <source>Use a plot with linear axes</source>
+        <translation>Ein Diagramm mit linearen Achsen verwenden</translation>
+    </message>
+    <message>
+        <source>the %1 axis %2</source>
+        <translation>die Achse %1 %2</translation>
+    </message>
+    <message>
+        <source>a second scale on the right %1</source>
+        <translation>eine zweite Skala rechts %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10469,6 +10489,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Pick the press on the left scale and no release if that is drawn on the right scale</source>
         <translation>Wählen Sie als Hinweg die Kurve der linken Skala und keinen Rückweg, wenn dieser zur rechten Skala gehört</translation>
+    </message>
+    <message>
+        <source>measures forces too</source>
+        <translation>misst ebenfalls Kräfte</translation>
+    </message>
+    <message>
+        <source>measures &quot;%1&quot;</source>
+        <translation>misst „%1“</translation>
+    </message>
+    <message>
+        <source>names no unit of force</source>
+        <translation>nennt keine Einheit der Kraft</translation>
     </message>
 </context>
 <context>

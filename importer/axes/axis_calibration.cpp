@@ -50,13 +50,14 @@ bool areExchanged(const AxisCalibration& axes) {
 
 Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind unit) {
   // No unit makes such a scale even.
-  if (quantity == logarithmicScale || quantity == categoriesScale)
-    return {DoubtCode::otherQuantity,
-            {axis, quantity},
-            Message("Import a graph of the same button with evenly divided axes")};
+  const Message evenAxes("Import a graph of the same button with evenly divided axes");
+  if (quantity == logarithmicScale)
+    return {DoubtCode::otherQuantity, {axis, Message("is logarithmic")}, evenAxes};
+  if (quantity == categoriesScale)
+    return {DoubtCode::otherQuantity, {axis, Message("has categories in place of a scale")}, evenAxes};
   const bool isTravel = unit == RemedyKind::giveXUnit;
   return {DoubtCode::otherQuantity,
-          {axis, quantity},
+          {axis, Message("measures \"%1\"", quantity)},
           {{unit, isTravel ? "if it is a travel all the same" : "if it is a force all the same"}}};
 }
 

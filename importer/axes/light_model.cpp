@@ -6,6 +6,8 @@
 #include <cstring>
 #include <sstream>
 
+#include "importer/lexicon/letters.h"
+
 namespace detent::importer {
 namespace {
 
@@ -16,10 +18,8 @@ constexpr unsigned firstPrivate = 0xE100,
                    privateCount = 0xF8FF - firstPrivate;  // the engine itself uses U+E003 to U+E009
 constexpr std::size_t reserved = 3;  // space, joined, broken: the engine knows them by name
 
-/// UTF-8 of a code point of three bytes.
-std::string utf8Of(unsigned code) {
-  return {static_cast<char>(0xE0 | code >> 12), static_cast<char>(0x80 | (code >> 6 & 0x3F)),
-          static_cast<char>(0x80 | (code & 0x3F))};
+std::string privateName(std::size_t letter) {
+  return utf8Of(std::u32string(1, static_cast<char32_t>(firstPrivate + letter)));
 }
 
 using Parts = std::vector<std::optional<std::string_view>>;
@@ -81,7 +81,7 @@ std::string renamedList(std::string_view list, std::vector<std::string>& letters
       out += line + "\n";
       continue;
     }
-    const std::string name = utf8Of(firstPrivate + static_cast<unsigned>(letters.size() - 1));
+    const std::string name = privateName(letters.size() - 1);
     out.append(name)
         .append(properties, letterEnd, normalAt - letterEnd)
         .append(" ")
@@ -109,8 +109,7 @@ std::string LightModel::renamed(std::string_view letters) const {
   std::string out;
   for (const char letter : letters) {
     const auto known = std::find(letters_.begin(), letters_.end(), std::string(1, letter));
-    if (known != letters_.end())
-      out += utf8Of(firstPrivate + static_cast<unsigned>(known - letters_.begin()));
+    if (known != letters_.end()) out += privateName(static_cast<std::size_t>(known - letters_.begin()));
   }
   return out;
 }

@@ -44,7 +44,7 @@ char32_t foldedLetter(char32_t c) {
   return c;
 }
 
-/// A code point of up to three bytes; a byte that is not well formed comes back alone.
+/// The code point at a place; a byte that is not well formed comes back alone.
 struct Decoded {
   char32_t letter;
   std::size_t bytes;
@@ -57,16 +57,29 @@ Decoded decodedAt(std::string_view utf8, std::size_t at) {
   if (byte(0) >= 0xC2 && byte(0) <= 0xDF && more(1)) return {(byte(0) & 0x1FU) << 6 | (byte(1) & 0x3FU), 2};
   if (byte(0) >= 0xE0 && byte(0) <= 0xEF && more(1) && more(2))
     return {(byte(0) & 0x0FU) << 12 | (byte(1) & 0x3FU) << 6 | (byte(2) & 0x3FU), 3};
+  if (byte(0) >= 0xF0 && byte(0) <= 0xF4 && more(1) && more(2) && more(3))
+    return {(byte(0) & 0x07U) << 18 | (byte(1) & 0x3FU) << 12 | (byte(2) & 0x3FU) << 6 | (byte(3) & 0x3FU),
+            4};
   return {byte(0), 1};
 }
 
 void appendLetter(std::string& text, char32_t letter) {
   const auto put = [&](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  const auto putRest = [&](unsigned shift) { put(0x80U | (letter >> shift & 0x3FU)); };
   if (letter < 0x80) {
     put(letter);
+  } else if (letter < 0x800) {
+    put(0xC0U | letter >> 6);
+    putRest(0);
+  } else if (letter < 0x10000) {
+    put(0xE0U | letter >> 12);
+    putRest(6);
+    putRest(0);
   } else {
-    put(0xC0U | letter >> 6);  // all that are folded lie below U+0800
-    put(0x80U | (letter & 0x3FU));
+    put(0xF0U | letter >> 18);
+    putRest(12);
+    putRest(6);
+    putRest(0);
   }
 }
 
@@ -95,6 +108,12 @@ std::u32string codePoints(std::string_view utf8) {
     at += is.bytes;
   }
   return out;
+}
+
+std::string utf8Of(std::u32string_view letters) {
+  std::string text;
+  for (const char32_t letter : letters) appendLetter(text, letter);
+  return text;
 }
 
 std::vector<std::string> wordsOf(std::string_view utf8) {

@@ -15,6 +15,9 @@ std::string folded(std::string_view utf8);
 /// A text's letters as code points. A byte that is not well-formed UTF-8 becomes a code point of its own.
 std::u32string codePoints(std::string_view utf8);
 
+/// The UTF-8 of code points.
+std::string utf8Of(std::u32string_view letters);
+
 /// Words of a text as `folded` writes them, in order. All bytes above ASCII count as letters.
 std::vector<std::string> wordsOf(std::string_view utf8);
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 
 #include "importer/lexicon/letters.h"
 #include "model/units.h"
@@ -11,14 +10,20 @@
 namespace detent::importer {
 namespace {
 
-/// The first sign of a text, which is not empty.
-std::string_view firstSign(std::string_view text) {
-  std::size_t bytes = 1;
-  while (bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) ++bytes;
-  return text.substr(0, bytes);
+/// The letter that a mathematical italic or bold one stands for, as formulas of documents are set: the a of
+/// "𝑎 [g]". Any other letter unchanged.
+char32_t withoutMathematicalStyle(char32_t c) {
+  constexpr char32_t firstLatin = 0x1D400, lastLatin = 0x1D6A3, firstGreek = 0x1D6A8, lastGreek = 0x1D7C9,
+                     planck = 0x210E;
+  constexpr char32_t capitals = 26, lettersOfLatin = 52, lettersOfGreek = 58;  // of one style
+  constexpr std::u32string_view greek = U"ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΘΣΤΥΦΧΨΩ∇αβγδεζηθικλμνξοπρςστυφχψω∂ϵϑϰϕϱϖ";
+  static_assert(greek.size() == lettersOfGreek);
+  if (c == planck) return U'h';
+  if (c >= firstGreek && c <= lastGreek) return greek[(c - firstGreek) % lettersOfGreek];
+  if (c < firstLatin || c > lastLatin) return c;
+  const char32_t letter = (c - firstLatin) % lettersOfLatin;
+  return letter < capitals ? U'A' + letter : U'a' + (letter - capitals);
 }
-
-char32_t codeOf(std::string_view sign) { return codePoints(sign).front(); }
 
 bool isSymbolLetter(char32_t c) {
   constexpr char32_t micro = 0xB5, firstGreek = 0x370, lastGreek = 0x3FF;
@@ -26,71 +31,67 @@ bool isSymbolLetter(char32_t c) {
          (c >= firstGreek && c <= lastGreek);
 }
 
-bool isDigit(char32_t c) { return c >= U'0' && c <= U'9'; }
+bool isIndexDigit(char32_t c) { return (c >= U'0' && c <= U'9') || (c >= U'₀' && c <= U'ₜ'); }
 
 /// Returns true for what may stand for a letter: documents whose fonts name their letters wrongly make other
 /// signs of Greek ones, and engines a euro of an epsilon. Other signs and digits may be read of an ideograph.
 bool mayBeSymbol(char32_t c, TextSource source) {
-  constexpr char32_t firstLatinSign = 0xA1, lastLatinSign = 0xBF, euro = 0x20AC;
-  const bool isLatinSign = c >= firstLatinSign && c <= lastLatinSign;
-  return isSymbolLetter(c) || (source == TextSource::exact ? isLatinSign : c == euro);
+  const bool isLatinSign = c >= U'¡' && c <= U'¿';
+  return isSymbolLetter(c) || (source == TextSource::exact ? isLatinSign : c == U'€');
 }
 
-bool takeOff(std::string_view& text, std::string_view front) {
+bool takeOff(std::u32string_view& text, std::u32string_view front) {
   if (!text.starts_with(front)) return false;
   text.remove_prefix(front.size());
   return true;
 }
 
 template <class Test>
-void takeOffWhile(std::string_view& text, Test test) {
-  while (!text.empty() && test(codeOf(firstSign(text)))) text.remove_prefix(firstSign(text).size());
+void takeOffWhile(std::u32string_view& text, Test test) {
+  while (!text.empty() && test(text.front())) text.remove_prefix(1);
 }
 
 /// Takes off "_{max}", "z", "₁".
-void takeOffIndex(std::string_view& text) {
-  constexpr std::array<std::string_view, 8> indices{"max", "min", "rms", "x", "y", "z", "n", "N"};
-  const auto isIndexDigit = [](char32_t c) { return isDigit(c) || (c >= 0x2080 && c <= 0x209C); };
-  const auto isOfIndex = [&](char32_t c) { return isSymbolLetter(c) || isIndexDigit(c); };
-  if (!text.empty() && isIndexDigit(codeOf(firstSign(text)))) text.remove_prefix(firstSign(text).size());
-  if (takeOff(text, "_")) {
-    takeOff(text, "{");
+void takeOffIndex(std::u32string_view& text) {
+  constexpr std::array<std::u32string_view, 8> indices{U"max", U"min", U"rms", U"x", U"y", U"z", U"n", U"N"};
+  const auto isOfIndex = [](char32_t c) { return isSymbolLetter(c) || isIndexDigit(c); };
+  if (!text.empty() && isIndexDigit(text.front())) text.remove_prefix(1);
+  if (takeOff(text, U"_")) {
+    takeOff(text, U"{");
     takeOffWhile(text, isOfIndex);
-    takeOff(text, "}");
+    takeOff(text, U"}");
     return;
   }
-  for (const std::string_view index : indices) {
-    std::string_view rest = text;
-    if (!takeOff(rest, index) || (!rest.empty() && isOfIndex(codeOf(firstSign(rest))))) continue;
+  for (const std::u32string_view index : indices) {
+    std::u32string_view rest = text;
+    if (!takeOff(rest, index) || (!rest.empty() && isOfIndex(rest.front()))) continue;
     text = rest;
     return;
   }
 }
 
 /// Takes off the argument of a function, "(t)", where more stands behind it.
-void takeOffArgument(std::string_view& text) {
-  if (text.size() > 3 && text[0] == '(' && text[2] == ')' &&
-      isSymbolLetter(static_cast<unsigned char>(text[1])))
-    text.remove_prefix(3);
+void takeOffArgument(std::u32string_view& text) {
+  if (text.size() > 3 && text[0] == U'(' && text[2] == U')' && isSymbolLetter(text[1])) text.remove_prefix(3);
 }
 
-/// Without the sign of a difference or of an amount, as printed or as an engine reads it: "Δa", "Aa", "lal".
-std::string_view withoutDifference(std::string_view title, TextSource source) {
-  for (const std::string_view difference : {"\xCE\x94", "\xE2\x88\x86", "A"}) {
-    std::string_view rest = title;
-    if ((difference == "A" && source == TextSource::exact) || !takeOff(rest, difference)) continue;
-    takeOff(rest, " ");
-    return !rest.empty() && isSymbolLetter(codeOf(firstSign(rest))) ? rest : title;
+/// Takes off the sign of a difference, as printed or as an engine reads it, in front of a letter: "Δa", "Aa".
+void takeOffDifference(std::u32string_view& title, TextSource source) {
+  for (const std::u32string_view difference : {U"Δ", U"∆", U"A"}) {
+    std::u32string_view rest = title;
+    if ((difference == U"A" && source == TextSource::exact) || !takeOff(rest, difference)) continue;
+    takeOff(rest, U" ");
+    if (!rest.empty() && isSymbolLetter(rest.front())) title = rest;
+    return;
   }
-  return title;
 }
 
-std::string withoutAmount(std::string_view title) {
-  constexpr std::string_view strokes = "|lI1";
+/// Without the strokes of an amount that an engine reads as letters: "lal".
+std::u32string withoutAmount(const std::u32string& title) {
+  constexpr std::u32string_view strokes = U"|lI1";
   const bool isAmount = title.size() > 3 && title[0] == title[2] &&
-                        strokes.find(title[0]) != std::string_view::npos &&
-                        isSymbolLetter(static_cast<unsigned char>(title[1]));
-  return isAmount ? title[1] + std::string(title.substr(3)) : std::string(title);
+                        strokes.find(title[0]) != std::u32string_view::npos && isSymbolLetter(title[1]);
+  return isAmount ? title[1] + title.substr(3) : title;
 }
 
 /// The quantity of a unit of force or length with the signs around it; `none` of anything else.
@@ -115,23 +116,24 @@ bool isSymbolOf(std::string_view symbol, std::string_view quantity) {
 
 std::optional<QuantitySymbol> symbolBeforeUnit(std::string_view title, TextSource source) {
   const auto isAround = [](char32_t c) { return c == U' ' || c == U'$' || c == U'|' || c == U'\\'; };
-  const std::string plain = source == TextSource::recognised ? withoutAmount(title) : std::string(title);
-  std::string_view rest = plain;
+  std::u32string letters = codePoints(title);
+  std::ranges::transform(letters, letters.begin(), withoutMathematicalStyle);
+  if (source == TextSource::recognised) letters = withoutAmount(letters);
+  std::u32string_view rest = letters;
   takeOffWhile(rest, isAround);
-  rest = withoutDifference(rest, source);
-  if (rest.empty() || !mayBeSymbol(codeOf(firstSign(rest)), source)) return {};
-  const std::string_view symbol = firstSign(rest);
-  rest.remove_prefix(symbol.size());
+  takeOffDifference(rest, source);
+  if (rest.empty() || !mayBeSymbol(rest.front(), source)) return {};
+  const std::string symbol = utf8Of(rest.substr(0, 1));
+  rest.remove_prefix(1);
   takeOffIndex(rest);
   takeOffArgument(rest);
   takeOffWhile(rest, isAround);
-  constexpr std::string_view announcesUnit = "[({<,./:;";
-  const bool isAnnounced = !rest.empty() && announcesUnit.find(rest.front()) != std::string_view::npos;
-  if (!isAnnounced && !takeOff(rest, "in ")) return {};
-  const Quantity measured = measuredIn(rest);
+  constexpr std::u32string_view announcesUnit = U"[({<,./:;";
+  const bool isAnnounced = !rest.empty() && announcesUnit.find(rest.front()) != std::u32string_view::npos;
+  if (!isAnnounced && !takeOff(rest, U"in ")) return {};
+  const Quantity measured = measuredIn(utf8Of(rest));
   if (measured == Quantity::none) return {};
-  const std::string_view quantity = measured == Quantity::force ? "force" : "travel";
-  return QuantitySymbol{std::string(symbol), isSymbolOf(symbol, quantity)};
+  return QuantitySymbol{symbol, isSymbolOf(symbol, measured == Quantity::force ? "force" : "travel")};
 }
 
 }  // namespace detent::importer

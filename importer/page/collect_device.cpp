@@ -60,7 +60,12 @@ struct Paint {
 class Collector {
  public:
   Collector(const Box& bounds, CollectedPage* page, CollectControl* control)
-      : page_(page), control_(control), bounds_(bounds), clips_{bounds}, alphas_{1} {}
+      : page_(page),
+        control_(control),
+        bounds_(bounds),
+        around_(bounds.grown(bounds.width(), bounds.height())),
+        clips_{bounds},
+        alphas_{1} {}
 
   CollectControl& control() { return *control_; }
 
@@ -97,7 +102,8 @@ class Collector {
     VectorPath out;
     if (!begin(context, path, matrix, paint, out)) return control_->stop == CollectStop::none;
     out.stroke = paint.color;
-    out.strokeWidth = std::max(hairlineWidth, state->linewidth * expansion(toAffine(matrix)));
+    out.strokeWidth =
+        std::min(std::max(hairlineWidth, state->linewidth * expansion(toAffine(matrix))), around_.width());
     out.dashed = isDashed(*state);
     return store(std::move(out));
   }
@@ -129,7 +135,7 @@ class Collector {
     exactClips_.push_back(exactClips_.back() && exact);
   }
   bool pushClipOfPath(fz_context* context, const fz_path* path, double grow, const fz_matrix& matrix) {
-    PathFlattener flattener(toAffine(matrix), flatness);
+    PathFlattener flattener(toAffine(matrix), flatness, around_);
     fz_walk_path(context, path, &flattenWalker, &flattener);
     const auto polylines = flattener.takePolylines();
     if (!drawnInTime(polylines)) return halt(CollectStop::tooDense);
@@ -222,7 +228,7 @@ class Collector {
   bool begin(fz_context* context, const fz_path* path, const fz_matrix& matrix, const Paint& paint,
              VectorPath& out) {
     if (clips_.back().empty()) return false;
-    PathFlattener flattener(toAffine(matrix), flatness);
+    PathFlattener flattener(toAffine(matrix), flatness, around_);
     fz_walk_path(context, path, &flattenWalker, &flattener);  // these callbacks never longjmp
     points_ += flattener.pointCount();
     if (points_ > control_->maxPathPoints) return halt(CollectStop::tooManyPoints);
@@ -307,6 +313,7 @@ class Collector {
   CollectedPage* page_;
   CollectControl* control_;
   Box bounds_;  ///< of the page
+  Box around_;  ///< the page with its width and height on every side; nothing farther off matters
   std::vector<Box> clips_;
   std::vector<bool> exactClips_{true};
   std::vector<double> alphas_;

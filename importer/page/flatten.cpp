@@ -4,11 +4,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "importer/page/clip_line.h"
+
 namespace detent::importer {
+namespace {
+
+/// The point of the box that is nearest to a finite point.
+Point movedTo(const Box& box, Point p) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) return p;
+  return {std::clamp(p.x, box.x0, box.x1), std::clamp(p.y, box.y0, box.y1)};
+}
+
+}  // namespace
 
 void PathFlattener::add(Point transformed) {
-  current_.push_back(transformed);
+  if (current_.empty())
+    start_ = transformed;
+  else
+    addCrossings(transformed);
+  last_ = transformed;
   ++pointCount_;
+  const Point kept = movedTo(within_, transformed);
+  if (kept == transformed || current_.empty() || current_.back() != kept) current_.push_back(kept);
+}
+
+/// Adds the points where the line to `next` crosses the edge, or the corner that it passes outside.
+void PathFlattener::addCrossings(Point next) {
+  const auto add = [&](Point p) {
+    if (p != current_.back()) current_.push_back(p);
+  };
+  double from = 0, to = 1;
+  if (!insideSpan(last_, next, within_, from, to))
+    return add(movedTo(within_, pointBetween(last_, next, 0.5 * (from + to))));
+  for (const double t : {from, to})
+    if (t > 0 && t < 1) add(pointBetween(last_, next, t));
 }
 
 void PathFlattener::finish(bool closed) {
@@ -28,7 +57,7 @@ void PathFlattener::lineTo(Point p) { add(transform_(p)); }
 
 void PathFlattener::curveTo(Point control1, Point control2, Point end) {
   if (current_.empty()) add(transform_(control1));
-  const Point a = current_.back(), b = transform_(control1), c = transform_(control2), d = transform_(end);
+  const Point a = last_, b = transform_(control1), c = transform_(control2), d = transform_(end);
   // A cubic's chord error over a step h is at most h²/8 of its second derivative, which is at most 6 times
   // the larger second difference of its control points.
   const double bend = std::max(std::hypot(a.x - 2 * b.x + c.x, a.y - 2 * b.y + c.y),
@@ -45,8 +74,10 @@ void PathFlattener::curveTo(Point control1, Point control2, Point end) {
 
 void PathFlattener::close() {
   if (current_.empty()) return;
+  addCrossings(start_);
   const Point start = current_.front();
   finish(true);
+  last_ = start_;
   current_.push_back(start);  // a segment that follows without a move begins where the closed path began
 }
 

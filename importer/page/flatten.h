@@ -8,11 +8,14 @@
 
 namespace detent::importer {
 
-/// Builds the polylines of one path under a transform.
+/// Builds the polylines of one path under a transform. Damaged pages have points so far off that no pixel
+/// counts to them; lines are cut before they leave the place that matters.
 class PathFlattener {
  public:
   /// Chords deviate from curves by at most `tolerance` (in the plane of `transform`'s result); > 0.
-  PathFlattener(const Affine& transform, double tolerance) : transform_(transform), tolerance_(tolerance) {}
+  /// Inside `within` the lines run as drawn; finite points outside are moved to its edge.
+  PathFlattener(const Affine& transform, double tolerance, const Box& within)
+      : transform_(transform), tolerance_(tolerance), within_(within) {}
 
   void moveTo(Point p);
   void lineTo(Point p);
@@ -26,10 +29,13 @@ class PathFlattener {
 
  private:
   void add(Point transformed);
+  void addCrossings(Point next);
   void finish(bool closed);
 
   Affine transform_;
   double tolerance_;
+  Box within_;
+  Point start_, last_;  ///< of the current subpath, as drawn
   std::vector<Point> current_;
   std::vector<std::vector<Point>> polylines_;
   std::vector<bool> closed_;

@@ -297,6 +297,19 @@ Result<std::vector<ListedPlot>> listedPlots(ImportSession& session, std::vector<
   return plots;
 }
 
+/// Why a list is empty: the first plot that measures something else or whose numbers make no scale, else that
+/// there is none.
+Failure nothingListed(const std::vector<RejectedFrame>& rejected, const std::string& input) {
+  for (const RejectedFrame& each : rejected)
+    if (each.why.code == FailureCode::notCertain && each.why.reason != nameOf(DoubtCode::ratherADrawing))
+      return each.why;
+  return {FailureCode::noForceGraph,
+          input,
+          "",
+          "no force graph found",
+          {{RemedyKind::giveFrame, "if there is one"}}};
+}
+
 int runList(const Arguments& a, const Progress& progress) {
   const ImportRequest& request = a.request;
   const std::string& input = a.inputs.front();
@@ -319,14 +332,8 @@ int runList(const Arguments& a, const Progress& progress) {
 
   std::fputs(warningLines(listed->remarks).c_str(), stderr);
   const int exitCode = plots->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
-  const std::string text = plots->empty() ? Failure{FailureCode::noForceGraph,
-                                                    input,
-                                                    "",
-                                                    "no force graph found",
-                                                    {{RemedyKind::giveFrame, "if there is one"}}}
-                                                    .sentence() +
-                                                "\n"
-                                          : listText(*plots);
+  const std::string text =
+      plots->empty() ? nothingListed(listed->rejected, input).sentence() + "\n" : listText(*plots);
   print(a, listJson(*plots, listed->remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
   return exitCode;
 }

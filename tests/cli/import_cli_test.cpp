@@ -323,6 +323,24 @@ TEST_CASE("--list shows where the graph is and how its axes read") {
   CHECK(graphs[0]["y_axis"]["max"].get<double>() == Approx(100).margin(0.5));
 }
 
+TEST_CASE("--list and the import name what a plot measures in place of a force") {
+  const ProgramFolder folder("import_list_other");
+  std::string svg = detent::tests::twoSwitchesSvg();
+  const std::string title = "Force (N)";
+  REQUIRE(svg.find(title) != std::string::npos);
+  svg.replace(svg.find(title), title.size(), "Inductance (H)");
+  folder.write("other.svg", svg);
+  const char* const said = "the y axis measures \"inductance (H)\"";
+  const ProgramResult listed = import(folder, {"--list", "other.svg", "--json"});
+  CHECK(listed.exitCode == 4);
+  CHECK(json::parse(listed.out)["graphs"].empty());
+  CHECK_THAT(listed.err, Catch::Contains(said));
+  CHECK_THAT(import(folder, {"other.svg"}).err, Catch::Contains(said));
+
+  folder.write("none.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='90' height='90'/>");
+  CHECK_THAT(import(folder, {"--list", "none.svg", "--json"}).err, Catch::Contains("no force graph found"));
+}
+
 TEST_CASE("Of several switches in one plot --curve takes one, by name or number") {
   const ProgramFolder folder("import_curve");
   folder.write("two.svg", detent::tests::twoSwitchesSvg());

@@ -316,6 +316,28 @@ TEST_CASE("a letter of another quantity beside a unit of force leaves the axes u
   CHECK(time.value.x.otherQuantity == "t");
 }
 
+TEST_CASE("a doubt about an axis names what the axis shows") {
+  struct Row {
+    const char *quantity, *sentence;
+    bool mayBeForce;
+  };
+  for (const Row& row :
+       {Row{"inductance (H)", "the y axis measures \"inductance (H)\"", true},
+        Row{"kPa", "the y axis measures \"kPa\"", true},
+        Row{"values on a logarithmic scale", "the y axis is logarithmic", false},
+        Row{"categories, not to scale", "the y axis has categories in place of a scale", false}}) {
+    CAPTURE(row.quantity);
+    AxisCalibration axes;
+    CHECK(otherQuantitiesOf(axes).empty());
+    axes.y.otherQuantity = row.quantity;
+    const auto doubts = otherQuantitiesOf(axes);
+    REQUIRE(doubts.size() == 1);
+    CHECK(english(messageOf(doubts[0])) == row.sentence);
+    CHECK(doubts[0].remedies.include(RemedyKind::giveYUnit) == row.mayBeForce);
+    CHECK(doubts[0].remedies.include(RemedyKind::advice) == !row.mayBeForce);
+  }
+}
+
 TEST_CASE("axes whose titles are exchanged stay exchanged, whatever units are given") {
   PlotStyle s;
   s.xStep = 10, s.yStep = 0.25;
@@ -1069,6 +1091,24 @@ TEST_CASE(
   CAPTURE(unit);
   CHECK(axes.calibration.value.y.unitFound);
   CHECK("(" + axes.calibration.value.y.unit + ")" == unit);
+}
+
+TEST_CASE("a sign wider than its line is high is no letter") {
+  if (skipWithoutEngine()) return;
+  const auto readWith = [](double wider) {
+    cv::Mat sign(40, 24, CV_8U, cv::Scalar(255)), line(60, 260, CV_8U, cv::Scalar(255));
+    cv::putText(sign, "a", {2, 32}, cv::FONT_HERSHEY_SIMPLEX, 1, cv::Scalar(0), 2, cv::LINE_AA);
+    cv::resize(sign, sign, cv::Size(), wider, 1, cv::INTER_AREA);
+    sign.copyTo(line(cv::Rect(10, 10, sign.cols, sign.rows)));
+    cv::putText(line, "[gf]", {20 + sign.cols, 42}, cv::FONT_HERSHEY_SIMPLEX, 1, cv::Scalar(0), 2,
+                cv::LINE_AA);
+    const auto document = documentOf(line);
+    const auto view = document.view(document.page(1).value(), {-0.5, -0.5, 259.5, 59.5}).value();
+    TextReader reader(view);
+    return reader.readLine({8, 12, 100.0 + sign.cols, 52}, TextKind::words).utf8;
+  };
+  CHECK(readWith(1).substr(0, 1) == "a");
+  CHECK_FALSE(readWith(3).substr(0, 1) == "a");
 }
 
 TEST_CASE("words are read in any quarter turn") {

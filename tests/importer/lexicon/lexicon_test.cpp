@@ -135,6 +135,28 @@ TEST_CASE("a letter that was read is what it was read as, a digit may be an ideo
     check(row, TextSource::recognised);
 }
 
+TEST_CASE("the letters of a formula are italic signs of their own", "[lexicon]") {
+  for (const Row& row :
+       {Row{"𝑎 [g]", "", "", "a"}, Row{"𝐹 [N]", "N", "", ""}, Row{"𝛿 (mm)", "", "mm", ""},
+        Row{"𝛥𝑠 / mm", "", "mm", ""}, Row{"𝜀 [mm]", "", "", "ε"}, Row{"ℎ in mm", "", "mm", ""},
+        Row{"𝒂 [g]", "", "", "a"}, Row{"𝐙 (mm)", "", "mm", ""}})
+    check(row, TextSource::exact);
+}
+
+TEST_CASE("a sign that no engine could read is no letter of a quantity", "[lexicon]") {
+  check({"\uFFFD [gf]", "gf", "", ""}, TextSource::recognised);
+  check({"\uFFFD (mm)", "", "mm", ""}, TextSource::recognised);
+}
+
+TEST_CASE("code points of every length come back as they were", "[lexicon]") {
+  for (const std::string text : {"", "F [N]", "δ°", "荷重 [gf]", "𝑎𝛿", "\U0010FFFF"}) {
+    CAPTURE(text);
+    CHECK(utf8Of(codePoints(text)) == text);
+    CHECK(codePoints(text).size() == letterCount(text));
+  }
+  CHECK(codePoints("\xF0\x9D\x91") == std::u32string{0xF0, 0x9D, 0x91});  // cut off
+}
+
 TEST_CASE("a title that ends before its unit has no letter in place of words", "[lexicon]") {
   for (const TextSource source : {TextSource::exact, TextSource::recognised})
     for (const char* title :

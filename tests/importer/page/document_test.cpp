@@ -3,6 +3,7 @@
 
 #include "importer/page/document.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -124,6 +125,63 @@ TEST_CASE("curves are flattened within the promised distance") {
     worst = std::max(worst, nearest);
   }
   CHECK(worst < 0.005);
+}
+
+TEST_CASE("lines to points far off the page keep their course on it, and end beside it") {
+  // The page is 200 x 100 points; its surroundings reach from -200 to 400 and from -100 to 200.
+  const Box around{-200, -100, 400, 200};
+  for (const std::string far : {"1000", "100000", "1000000000", "3000000000", "100000000000000000000"}) {
+    CAPTURE(far);
+    const std::string half = "5" + far.substr(2);
+    // A slanted line, a closed wedge, a rectangle, a curve, and a line that passes the page.
+    const auto opened = open(onePage("1 w 0 0 m " + far + " " + half + " l S 10 10 m 50 50 l " + far +
+                                     " 50 l h S 20 85 " + far + " 10 re f 0 0 m " + far + " 0 0 " + far +
+                                     " 200 100 c S -" + far + " -50 m 300 " + far + " l S"),
+                             "plot.pdf");
+    for (const VectorPath& path : opened.page.paths)
+      for (const auto& line : path.polylines)
+        for (const Point& p : line) CHECK(around.grown(1e-6, 1e-6).contains(p));
+    if (far.size() > 6) continue;  // MuPDF draws them elsewhere, so that their lines count as unseen
+    REQUIRE(opened.page.paths.size() >= 3);
+    const auto& slanted = opened.page.paths[0].polylines[0];
+    REQUIRE(slanted.size() >= 2);
+    CHECK(slanted[0].y == Approx(100));
+    CHECK(slanted[1].x == Approx(400));
+    CHECK(slanted[1].y == Approx(-100));
+    const auto& wedge = opened.page.paths[1].polylines[0];
+    REQUIRE(wedge.size() == 4);
+    CHECK(opened.page.paths[1].closed[0]);
+    CHECK(wedge[2].x == Approx(400));
+    CHECK(wedge[2].y == Approx(50));
+    CHECK(wedge[3].x == Approx(400));  // of the line back to the start
+    CHECK(wedge[3].y == Approx(90 - 40 * 390 / (std::stod(far) - 10)));
+    const auto& rectangle = opened.page.paths[2];
+    CHECK(rectangle.polylines[0].size() <= 5);
+    CHECK(rectangle.box.x1 == Approx(400));
+    CHECK(rectangle.box.y0 == Approx(5));
+  }
+}
+
+TEST_CASE("the line between two points off the page runs past its corner, not across it") {
+  for (const std::string far : {"1000", "1000000000"}) {
+    CAPTURE(far);
+    const auto opened = open(onePage("0.9 g 5 5 m -" + far + " -50 l 300 " + far + " l h f"), "plot.pdf");
+    REQUIRE(opened.page.paths.size() == 1);
+    const auto& line = opened.page.paths[0].polylines[0];
+    CHECK(std::ranges::find(line, Point{-200, -100}) != line.end());  // the upper left corner
+  }
+}
+
+TEST_CASE("a line and a letter of any size have a box beside the page at most") {
+  const Box around{-200, -100, 400, 200};
+  for (const std::string size : {"150", "1000", "1000000000", "100000000000000000000"}) {
+    CAPTURE(size);
+    const auto thick = open(onePage(size + " w 50 50 m 90 50 l S"), "plot.pdf");
+    for (const VectorPath& path : thick.page.paths) CHECK(path.strokeWidth <= around.width());
+    const auto large = open(onePage("BT /F " + size + " Tf 30 30 Td (8) Tj ET"), "plot.pdf");
+    for (const TextBox& text : large.page.texts) CHECK(around.contains(text.box));
+    if (size == "150") CHECK(large.page.texts.size() == 1);
+  }
 }
 
 TEST_CASE("forms are followed; what is clipped away is left out, what is cut says by what") {

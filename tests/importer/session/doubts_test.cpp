@@ -660,6 +660,31 @@ TEST_CASE("a curve that ends where the picture does, and a second scale") {
   CHECK(scales.doubted(DoubtCode::otherScale));
 }
 
+TEST_CASE("the doubt about a second scale says what the scale names") {
+  struct Row {
+    RightScale scale;
+    const char *title, *sentence;
+  };
+  for (const Row& row :
+       {Row{RightScale::other, "Voltage (V)", "a second scale on the right measures \"voltage (V)\""},
+        Row{RightScale::other, "Contact [mV]", "a second scale on the right measures \"mV\""},
+        Row{RightScale::other, "", "a second scale on the right names no unit of force"},
+        Row{RightScale::other, "Force", "a second scale on the right names no unit of force"},
+        Row{RightScale::otherForces, "Force [gf]", "a second scale on the right measures forces too"}}) {
+    CAPTURE(row.title);
+    Import scales;
+    scales.graph.axes.rightScale = row.scale;
+    scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
+    scales.graph.axes.texts = {{"Time (s)", {20, 250, 40, 350}, 1, 90},   // beside the left axis
+                               {"Time (s)", {540, 20, 640, 40}, 1, 0}};  // over the plot
+    scales.graph.axes.texts.push_back({row.title, {540, 250, 560, 350}, 1, 90});
+    std::vector<std::string> said;
+    for (const WeighedDoubt& each : doubtsOf(scales.findings(), scales.checks, scales.hints))
+      if (each.doubt.code == DoubtCode::otherScale) said.push_back(english(messageOf(each.doubt)));
+    CHECK(said == std::vector<std::string>{row.sentence});
+  }
+}
+
 TEST_CASE("a second scale is denied by the colours of the curves that count") {
   Import scales;
   scales.graph.axes.rightScale = RightScale::other;
