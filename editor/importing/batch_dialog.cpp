@@ -90,7 +90,7 @@ QLayout* BatchDialog::actionRow() {
   save_ = plainButton("batchSave", tr("&Save buttons…"),
                       tr("Save the selected buttons in a folder, or all if none is selected"));
   auto* close = plainButton("batchClose", tr("Close"), {});
-  connect(correct_, &QPushButton::clicked, this, [this] { correct(*list_->currentItem()); });
+  connect(correct_, &QPushButton::clicked, this, [this] { correct(*list_->selectedItems().front()); });
   connect(open_, &QPushButton::clicked, this, [this] {
     for (const Row* row : chosen()) at_.open(row->path, *row->result.button);
   });
@@ -209,9 +209,9 @@ void BatchDialog::correct(const QTreeWidgetItem& item) {
 
 /// Never over another file: a name that is taken gets a number.
 void BatchDialog::save() {
-  const std::vector<const Row*> rows = chosen();
   const QString folder = at_.folderToSave(this);
   if (folder.isEmpty()) return;
+  const std::vector<const Row*> rows = chosen();  // now: more files have finished meanwhile
   int saved = 0;
   for (const Row* row : rows) {
     const QString path = suggestedPath(ButtonDocument(*row->result.button), folder, ".button.json");

@@ -34,7 +34,10 @@ struct BatchRig {
     BatchActions actions;
     actions.files = [this](QWidget*) { return files; };
     actions.folder = [this](QWidget*) { return from; };
-    actions.folderToSave = [this](QWidget*) { return saveIn; };
+    actions.folderToSave = [this](QWidget*) {
+      if (meanwhile) meanwhile();
+      return saveIn;
+    };
     actions.correct = [this](const QString& path, GraphId graph) {
       corrected << path, graphs.push_back(graph);
     };
@@ -59,6 +62,7 @@ struct BatchRig {
   ViewSettings view;
   QStringList files, corrected, opened;
   QString from, saveIn;
+  std::function<void()> meanwhile;  ///< runs while the dialogue for the folder is open
   std::vector<GraphId> graphs;
   std::vector<Button> buttons;
   std::unique_ptr<BatchDialog> dialog;
@@ -167,6 +171,32 @@ class BatchTest : public QObject {
     rig.saveIn = at("nowhere/at/all");
     rig.button("batchSave").click();
     QVERIFY2(rig.summary().startsWith("Saved 0 of 1 buttons"), qPrintable(rig.summary()));
+  }
+
+  void filesThatFinishWhileTheFolderIsChosenAreSavedToo() {
+    BatchRig rig(at("meanwhile"));
+    QVERIFY(QDir().mkpath(at("meanwhile")));
+    rig.meanwhile = [&] { QVERIFY(QTest::qWaitFor([&] { return !rig.running(); }, patience_ms)); };
+    rig.files = QStringList(12, sample("force-meter-log.csv"));
+    rig.button("batchFiles").click();
+    QVERIFY(QTest::qWaitFor([&] { return rig.button("batchSave").isEnabled(); }, patience_ms));
+    rig.button("batchSave").click();
+    QCOMPARE(QDir(at("meanwhile")).entryList(QDir::Files).size(), 12);
+  }
+
+  // With Ctrl a click on a selected row takes it out of the selection, and leaves it the current one.
+  void theSelectedFileIsCorrectedNotTheOneClickedLast() {
+    BatchRig rig(at("."));
+    rig.read({at("empty.csv"), at("noise.pdf")});
+    const auto click = [&](int row, Qt::KeyboardModifiers keys) {
+      const QPoint place = rig.list->visualItemRect(rig.list->topLevelItem(row)).center();
+      QTest::mouseClick(rig.list->viewport(), Qt::LeftButton, keys, place);
+    };
+    click(0, {});
+    click(1, Qt::ControlModifier);
+    click(1, Qt::ControlModifier);
+    rig.button("batchCorrect").click();
+    QCOMPARE(rig.corrected, QStringList(at("empty.csv")));
   }
 
   void stoppedFilesGiveNoResult() {
