@@ -41,7 +41,7 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
     return std::make_unique<ButtonDocument>(*std::move(button));
   }
   if (QFileInfo(path).suffix().toLower() == "png")
-    return documentFromText(QImageReader(path).text(buttonInPicture));
+    return documentFromText(QImageReader(path).text(buttonInPicture), path);
   const QByteArray hash = contentHash(path);
   auto file = readWholeButtonFile(nativePath(path));
   if (!file) return file.failure();
@@ -94,8 +94,8 @@ Result<Done> reloadDocument(ButtonDocument& document) {
 
 QString buttonText(const Button& button) { return QString::fromStdString(jsonFrom(button)); }
 
-Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text) {
-  auto button = buttonFromJson(text.toStdString(), "text of the clipboard");
+Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text, const QString& source) {
+  auto button = buttonFromJson(text.toStdString(), source.toStdString());
   if (!button) return button.failure();
   auto document = std::make_unique<ButtonDocument>(*std::move(button));
   document->history().stack().resetClean();

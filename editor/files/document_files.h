@@ -38,8 +38,8 @@ QString withButtonEnding(const QString& path);
 
 /// A whole button as text for the clipboard: what its file would hold.
 QString buttonText(const Button& button);
-/// A new, unsaved document from such text; failures as readButtonFile.
-Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text);
+/// A new, unsaved document from such text; failures as readButtonFile, with `source` as their subject.
+Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text, const QString& source = {});
 
 /// Path that saving offers for a document without one: its title as a safe file name, in `folder`, with a
 /// number if that name is taken.

@@ -323,6 +323,23 @@ class FilesTest : public QObject {
     QVERIFY(!exportPng(picture, at("no/folder/a.png")).ok());
   }
 
+  void aPictureHoldsItsButton() {
+    const Button button = stronger(*tactileButton(), 1.234567890123);
+    QImage picture(20, 10, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    QVERIFY(exportButtonPng(picture, button, at("with.png")).ok());
+    QCOMPARE(QImage(at("with.png")).size(), QSize(20, 10));
+    QCOMPARE(*inputKindOf(at("with.png")), InputKind::button);
+    const auto opened = openDocument(at("with.png"));
+    QVERIFY((*opened)->button() == button && (*opened)->path().isEmpty());
+    QVERIFY((*opened)->history().modified());
+    picture.setText(buttonInPicture, "{\"format\": 3}");
+    QVERIFY(exportPng(picture, at("broken.png")).ok());
+    const auto broken = openDocument(at("broken.png"));
+    QVERIFY(!broken.ok());
+    QVERIFY2(sentenceOf(broken.failure()).contains("broken.png"), qPrintable(sentenceOf(broken.failure())));
+  }
+
   // The editor and the command line are two doors to the same bytes: every format, every file of it.
   void writesWhatTheCommandLineWrites() {
     const auto play = [](const QStringList& words) { return QProcess::execute(DETENT_PLAY, words); };
