@@ -163,7 +163,7 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
     case QuantityTrouble::notWhole:
       return tr("“%1” is not a whole number. Type a number without decimals.").arg(reading.culprit);
     case QuantityTrouble::notFinite:
-      return tr("“%1” is too large. Type a smaller number.").arg(reading.culprit);
+      return tr("“%1” is too large, or divides by zero. Type another number.").arg(reading.culprit);
   }
   return {};
 }

@@ -46,8 +46,7 @@ QString readText(double value, Quantity quantity, const DisplayUnits& units,
   const int ofError = static_cast<int>(std::ceil(-std::log10(sigma)));
   const int beforePoint =
       value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value / unit)))) + 1;
-  return fixedText(value / unit,
-                   std::clamp(std::min(ofError, significant - std::max(1, beforePoint)), 0, mostDecimals));
+  return fixedText(value / unit, std::clamp(std::min(ofError, significant - beforePoint), 0, mostDecimals));
 }
 
 }  // namespace detent::editor

@@ -2754,10 +2754,6 @@ Lizenz: %3</translation>
         <translation>Geben Sie jeder Zahl in „%1“ eine Einheit.</translation>
     </message>
     <message>
-        <source>“%1” is too large. Type a smaller number.</source>
-        <translation>„%1“ ist zu groß. Geben Sie eine kleinere Zahl ein.</translation>
-    </message>
-    <message>
         <source>%1 is unusually high. Press Enter again to keep it.</source>
         <translation>%1 ist ungewöhnlich hoch. Drücken Sie noch einmal die Eingabetaste, um den Wert zu behalten.</translation>
     </message>
@@ -2836,6 +2832,10 @@ Lizenz: %3</translation>
     <message>
         <source>%1? %2</source>
         <translation>%1? %2</translation>
+    </message>
+    <message>
+        <source>“%1” is too large, or divides by zero. Type another number.</source>
+        <translation>„%1“ ist zu groß oder teilt durch null. Geben Sie eine andere Zahl ein.</translation>
     </message>
 </context>
 <context>

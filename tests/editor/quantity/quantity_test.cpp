@@ -195,6 +195,8 @@ TEST_CASE("What is no quantity of this kind is refused with its reason") {
   CHECK(trouble("1/0 mm", Quantity::slope) == notFinite);
   CHECK(trouble("1/(0/0)", Quantity::length) == notFinite);
   CHECK(trouble("1e400", Quantity::length) == notFinite);
+  CHECK(
+      refusalOf(readQuantity("1/0", Quantity::length, {}), Quantity::length, {}).contains("divides by zero"));
   CHECK(trouble("nan", Quantity::length) == unknownUnit);
   CHECK(trouble("inf", Quantity::length) == unknownUnit);
   CHECK(trouble(std::string(500, '(').c_str(), Quantity::length) == noNumber);
@@ -211,6 +213,10 @@ TEST_CASE("What was read off a page has the digits its error leaves, what was ty
   CHECK(readText(1.2345678912, Quantity::slope, units, error) == "123");
   units.length = LengthUnit::micrometre;
   CHECK(readText(1.2504567891, Quantity::length, units, error) == "1250");
+  // Zeros before the first digit are no digits: 4 mm are not 0.16 in.
+  units.length = LengthUnit::inch;
+  CHECK(readText(3.9998123456, Quantity::length, units, ReadingError{0.0005, 0.003}, 3) == "0.157");
+  CHECK(readText(0.3000123456, Quantity::length, units, ReadingError{0.0005, 0.003}, 3) == "0.0118");
 }
 
 TEST_CASE("Any text is read or refused, never both, never without a word") {
