@@ -140,18 +140,18 @@ void GraphCanvas::showSelection() {
 void GraphCanvas::showPreview(std::optional<ButtonState> preview) {
   if (preview == preview_) return;
   preview_ = std::move(preview);
-  replot();
+  update();
 }
 
 void GraphCanvas::showReference(std::optional<Reference> reference) {
   reference_ = std::move(reference);
   if (fitted()) fit();
-  replot();
+  update();
 }
 
 void GraphCanvas::showSpread(std::vector<StateSpread> states) {
   spread_ = std::move(states);
-  replot();
+  update();
 }
 
 void GraphCanvas::showFinger(std::optional<FingerPosition> finger) {
@@ -233,31 +233,23 @@ GraphScene GraphCanvas::scene() const {
 }
 
 QRectF GraphCanvas::contentRange() const {
-  const ForceGraph& graph = document_.graph();
-  double start = std::min(0.0, graph.press().start_mm()), end = graph.travel_mm();
-  double low = std::min(0.0, values().lowest_N), high = values().highest_N;
-  const auto& states = document_.button().states();
-  for (const ButtonState& other : states) {
-    start = std::min(start, other.graph.press().start_mm());
-    end = std::max(end, other.graph.travel_mm());
-    const auto [lowest, highest] = other.graph.press().forceRange_N();
-    low = std::min(low, lowest);
-    high = std::max(high, highest);
-    for (const SpeedGraph& speed : other.otherSpeeds) {
-      const auto [least, most] = speed.graph.press().forceRange_N();
-      end = std::max(end, speed.graph.travel_mm());
-      low = std::min(low, least);
-      high = std::max(high, most);
+  double start = 0, end = document_.graph().travel_mm(), low = 0, high = values().highest_N;
+  const auto include = [&](const ForceGraph& graph) {
+    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+      if (stroke == Stroke::release && !graph.release()) continue;
+      const StrokeCurve& curve = graph.curve(stroke);
+      const auto [lowest, highest] = curve.forceRange_N();
+      start = std::min(start, curve.start_mm());
+      end = std::max(end, curve.end_mm());
+      low = std::min(low, lowest);
+      high = std::max(high, highest);
     }
+  };
+  for (const ButtonState& state : document_.button().states()) {
+    include(state.graph);
+    for (const SpeedGraph& speed : state.otherSpeeds) include(speed.graph);
   }
-  if (graph.release()) {
-    start = std::min(start, graph.release()->start_mm());
-    end = std::max(end, graph.release()->end_mm());
-  }
-  if (reference_) {
-    end = std::max(end, reference_->state.graph.travel_mm());
-    high = std::max(high, reference_->state.graph.press().forceRange_N().second);
-  }
+  if (reference_) include(reference_->state.graph);
   return {start, low, end - start, high - low};
 }
 

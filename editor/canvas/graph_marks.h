@@ -24,6 +24,11 @@ enum class MarkKind {
   resetPoint
 };
 
+inline bool isSlope(MarkKind kind) { return kind == MarkKind::slopeBefore || kind == MarkKind::slopeAfter; }
+inline bool isContact(MarkKind kind) {
+  return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint;
+}
+
 /// Identifies a mark of the active state. Indices as in the model: tactilePoints(), sectionsOf() and knots();
 /// turns as in StrokeValues::turns. Operating point: press, index 0; reset point: release, index 0.
 struct MarkId {

@@ -103,41 +103,42 @@ QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
   return pen;
 }
 
-// Draws the other state's strokes, or those that a drag has changed as they were before it.
-void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene, const ForceGraph& graph) {
+/// The strokes of a graph, the press on top; `penOf` gives their pens, Qt::NoPen for one that is not drawn.
+template <class PenOf>
+void drawStrokes(QPainter& painter, const PlotMapping& map, const ForceGraph& graph, const PenOf& penOf) {
   painter.setBrush(Qt::NoBrush);
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
     if (stroke == Stroke::release && !graph.release()) continue;
-    const bool has = stroke == Stroke::press || scene.state.graph.release();
-    if (has && graph.curve(stroke) == scene.state.graph.curve(stroke)) continue;
-    QPen pen = strokePen(stroke, scene.colors, 1.5);
-    pen.setColor(withAlpha(pen.color(), 0.4));
+    const QPen pen = penOf(stroke);
+    if (pen.style() == Qt::NoPen) continue;
     painter.setPen(pen);
     drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
   }
 }
 
+// The other state, or the strokes that a drag has changed, as they were.
+void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene, const ForceGraph& graph) {
+  drawStrokes(painter, map, graph, [&](Stroke stroke) {
+    const bool has = stroke == Stroke::press || scene.state.graph.release();
+    if (has && graph.curve(stroke) == scene.state.graph.curve(stroke)) return QPen(Qt::NoPen);
+    QPen pen = strokePen(stroke, scene.colors, 1.5);
+    pen.setColor(withAlpha(pen.color(), 0.4));
+    return pen;
+  });
+}
+
 void paintReference(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  painter.setBrush(Qt::NoBrush);
-  const ForceGraph& graph = scene.reference->state.graph;
-  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
-    if (stroke == Stroke::release && !graph.release()) continue;
+  drawStrokes(painter, map, scene.reference->state.graph, [&](Stroke stroke) {
     QPen pen = strokePen(stroke, scene.colors, 2);
     pen.setColor(withAlpha(scene.colors.tracedPoint, referenceOpacity));
-    painter.setPen(pen);
-    drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
-  }
+    return pen;
+  });
 }
 
 // Thin, in the strokes' colours: one graph of the family is edited, the others are for comparison.
 void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  painter.setBrush(Qt::NoBrush);
-  for (const SpeedGraph& other : scene.state.otherSpeeds)
-    for (const Stroke stroke : {Stroke::release, Stroke::press}) {
-      if (stroke == Stroke::release && !other.graph.release()) continue;
-      painter.setPen(strokePen(stroke, scene.colors, 1));
-      drawPolylines(painter, curvePolylines(other.graph.curve(stroke), map));
-    }
+  const auto thin = [&](Stroke stroke) { return strokePen(stroke, scene.colors, 1); };
+  for (const SpeedGraph& other : scene.state.otherSpeeds) drawStrokes(painter, map, other.graph, thin);
 }
 
 // Each label where its press is farthest from the edited one.
@@ -160,13 +161,13 @@ void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScen
 
 // Behind the curves, as wide as the units scatter on each side.
 void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  const auto band = [&](const ToleranceBand& points, const QColor& tagColor) {
+  const auto band = [&](const ToleranceBand& points, const QColor& color) {
     QPolygonF outline;
     for (const BandPoint& point : points)
       outline.push_back(map.toPixel(point.displacement_mm, point.mean_N + point.sd_N));
     for (auto point = points.rbegin(); point != points.rend(); ++point)
       outline.push_back(map.toPixel(point->displacement_mm, point->mean_N - point->sd_N));
-    painter.setBrush(withAlpha(tagColor, bandOpacity));
+    painter.setBrush(withAlpha(color, bandOpacity));
     painter.drawPolygon(outline);
   };
   painter.setPen(Qt::NoPen);
@@ -175,25 +176,16 @@ void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 }
 
 void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  painter.setBrush(Qt::NoBrush);
-  const ForceGraph& graph = scene.state.graph;
-  if (graph.release()) {
-    painter.setPen(strokePen(Stroke::release, scene.colors, 2));
-    drawPolylines(painter, curvePolylines(*graph.release(), map));
-  }
-  painter.setPen(strokePen(Stroke::press, scene.colors, 2.2));
-  drawPolylines(painter, curvePolylines(graph.press(), map));
+  drawStrokes(painter, map, scene.state.graph, [&](Stroke stroke) {
+    return strokePen(stroke, scene.colors, stroke == Stroke::press ? 2.2 : 2);
+  });
 }
 
 // In the selection colour, because the preview belongs to neither stroke yet.
 void paintPreview(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  painter.setBrush(Qt::NoBrush);
-  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
-    const ForceGraph& graph = scene.preview->graph;
-    if (stroke == Stroke::release && !graph.release()) continue;
-    painter.setPen(QPen(scene.colors.selection, stroke == Stroke::press ? 2 : 1.5, Qt::DashLine));
-    drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
-  }
+  drawStrokes(painter, map, scene.preview->graph, [&](Stroke stroke) {
+    return QPen(scene.colors.selection, stroke == Stroke::press ? 2 : 1.5, Qt::DashLine);
+  });
 }
 
 // ---- residuals
@@ -623,8 +615,7 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   if (scene.selection.size() != 1) return;
   const MarkId id = scene.selection.front();
-  if (id.kind != MarkKind::knot && id.kind != MarkKind::slopeBefore && id.kind != MarkKind::slopeAfter)
-    return;
+  if (id.kind != MarkKind::knot && !isSlope(id.kind)) return;
   const StrokeCurve& curve = scene.state.graph.curve(id.stroke);
   if (id.index >= curve.knots().size()) return;
   const Knot& k = curve.knots()[id.index];
@@ -660,7 +651,7 @@ void paintHighlight(QPainter& painter, const PlotMapping& map, const GraphScene&
     return;
   }
   const auto at = placeOf(id, scene.state, scene.values);
-  if (!at || id.kind == MarkKind::slopeBefore || id.kind == MarkKind::slopeAfter) return;
+  if (!at || isSlope(id.kind)) return;
   painter.setPen(QPen(withAlpha(scene.colors.selection, selected ? 1 : 0.5), selected ? 2 : 1.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(pixelOf(map, *at), 10, 10);
@@ -923,7 +914,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   if (scene.reference) paintReference(painter, map, scene);
   if (scene.otherState) paintGhost(painter, map, scene, scene.otherState->graph);
   if (scene.before) paintGhost(painter, map, scene, scene.before->graph);
-  if (!scene.state.otherSpeeds.empty()) paintOtherSpeeds(painter, map, scene);
+  paintOtherSpeeds(painter, map, scene);
   if (!scene.tracedPress.empty())
     paintResiduals(painter, map, scene.state.graph.press(), scene.tracedPress, scene.colors.residual);
   if (!scene.tracedRelease.empty() && scene.state.graph.release())

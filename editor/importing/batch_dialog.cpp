@@ -211,7 +211,7 @@ void BatchDialog::correct(const QTreeWidgetItem& item) {
 void BatchDialog::save() {
   const QString folder = at_.folderToSave(this);
   if (folder.isEmpty()) return;
-  const std::vector<const Row*> rows = chosen();  // not earlier: files finish while the folder is asked for
+  const std::vector<const Row*> rows = chosen();  // now: more files have finished meanwhile
   int saved = 0;
   for (const Row* row : rows) {
     const QString path = suggestedPath(ButtonDocument(*row->result.button), folder, ".button.json");

@@ -18,8 +18,6 @@ constexpr int editedValueDigits = 12;  // typed values are shown unchanged
 // Keeps a column of short numbers narrow.
 QString wordPerLine(const QString& heading) { return QString(heading).replace(' ', '\n'); }
 
-bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
-
 // The headings name the stroke.
 QString shortName(MarkId mark) {
   const QString number = QString::number(mark.index + 1);

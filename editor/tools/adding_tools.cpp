@@ -17,13 +17,6 @@ constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::AddKnotTool", text); }
 
-void propose(ToolContext& context, const PointerInput& input) {
-  CanvasFeedback feedback;
-  if (const auto hit = curveAt(context.canvas, input.at_px, addingReach_px))
-    feedback.proposal = Proposal{hit->at, hit->stroke, {}};
-  context.canvas.setFeedback(feedback);
-}
-
 bool missed(ToolContext& context, const QString& what) {
   context.say(what);
   return true;
@@ -42,13 +35,33 @@ NewJump jumpTowards(CurvePoint at, CurvePoint turn) {
 
 }  // namespace
 
+// ---- shared by knot and jump
+
+void AddingTool::leave() { context_.canvas.setFeedback({}); }
+
+bool AddingTool::moved(const PointerInput& input) {
+  if (context_.drag.running()) {
+    context_.drag.moveTo(input.at, input.modifiers);
+    return true;
+  }
+  CanvasFeedback feedback;
+  if (const auto hit = curveAt(context_.canvas, input.at_px, addingReach_px))
+    feedback.proposal = Proposal{hit->at, hit->stroke, {}};
+  context_.canvas.setFeedback(feedback);
+  return true;
+}
+
+bool AddingTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !context_.drag.running()) return false;
+  context_.drag.finish();
+  return true;
+}
+
 // ---- knot
 
 QString AddKnotTool::hint() const {
   return tr("Click on a curve to add a knot; keep the button down to move it.");
 }
-
-void AddKnotTool::leave() { context_.canvas.setFeedback({}); }
 
 bool AddKnotTool::pressed(const PointerInput& input) {
   if (input.button != Qt::LeftButton || context_.busy()) return false;
@@ -76,27 +89,11 @@ bool AddKnotTool::pressed(const PointerInput& input) {
   return true;
 }
 
-bool AddKnotTool::moved(const PointerInput& input) {
-  if (context_.drag.running())
-    context_.drag.moveTo(input.at, input.modifiers);
-  else
-    propose(context_, input);
-  return true;
-}
-
-bool AddKnotTool::released(const PointerInput& input) {
-  if (input.button != Qt::LeftButton || !context_.drag.running()) return false;
-  context_.drag.finish();
-  return true;
-}
-
 // ---- jump
 
 QString AddJumpTool::hint() const {
   return tr("Press on a rising part of a curve where the jump begins, then drag its valley into place.");
 }
-
-void AddJumpTool::leave() { context_.canvas.setFeedback({}); }
 
 bool AddJumpTool::pressed(const PointerInput& input) {
   if (input.button != Qt::LeftButton || context_.busy()) return false;
@@ -114,20 +111,6 @@ bool AddJumpTool::pressed(const PointerInput& input) {
   };
   context_.drag.begin(std::move(task), input.at);
   context_.drag.moveTo(input.at, Qt::ControlModifier);
-  return true;
-}
-
-bool AddJumpTool::moved(const PointerInput& input) {
-  if (context_.drag.running())
-    context_.drag.moveTo(input.at, input.modifiers);
-  else
-    propose(context_, input);
-  return true;
-}
-
-bool AddJumpTool::released(const PointerInput& input) {
-  if (input.button != Qt::LeftButton || !context_.drag.running()) return false;
-  context_.drag.finish();
   return true;
 }
 
@@ -171,8 +154,8 @@ void MeasureTool::leave() {
 
 CurvePoint MeasureTool::placeAt(const PointerInput& input) const {
   if (input.modifiers & Qt::ControlModifier) return input.at;
-  const std::vector<Mark> marks = marksAt(context_.canvas, input.at_px);
-  if (!marks.empty()) return marks.front().at;
+  for (const Mark& mark : marksAt(context_.canvas, input.at_px))
+    if (!isSlope(mark.id.kind)) return mark.at;  // the end of a slope handle lies beside the curve
   const auto hit = curveAt(context_.canvas, input.at_px);
   return hit ? hit->at : input.at;
 }

@@ -6,28 +6,30 @@
 
 namespace detent::editor {
 
-/// A click on a stroke adds a knot without changing the shape; a drag moves the new knot.
-class AddKnotTool : public Tool {
+/// Shows where a press would add something, and shapes it during the drag.
+class AddingTool : public Tool {
  public:
   using Tool::Tool;
   void leave() override;
-  bool pressed(const PointerInput& input) override;
   bool moved(const PointerInput& input) override;
   bool released(const PointerInput& input) override;
   Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+};
+
+/// A click on a stroke adds a knot without changing the shape; a drag moves the new knot.
+class AddKnotTool : public AddingTool {
+ public:
+  using AddingTool::AddingTool;
+  bool pressed(const PointerInput& input) override;
   QString hint() const override;
 };
 
 /// A press on a stroke sets the tactile point, the drag pulls the valley (release: the hump) out of the
 /// curve; a click adds a jump of usual size.
-class AddJumpTool : public Tool {
+class AddJumpTool : public AddingTool {
  public:
-  using Tool::Tool;
-  void leave() override;
+  using AddingTool::AddingTool;
   bool pressed(const PointerInput& input) override;
-  bool moved(const PointerInput& input) override;
-  bool released(const PointerInput& input) override;
-  Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
   QString hint() const override;
 };
 

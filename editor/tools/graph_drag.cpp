@@ -103,9 +103,7 @@ CurvePoint GraphDrag::farthest(CurvePoint from, CurvePoint to) const {
     const double middle = 0.5 * (allowed + refused);
     (edited(at(middle)) ? allowed : refused) = middle;
   }
-  const bool contact = task_->mark && (task_->mark->kind == MarkKind::operatingPoint ||
-                                       task_->mark->kind == MarkKind::resetPoint);
-  if (contact) return at(allowed);  // a contact deforms nothing
+  if (task_->mark && isContact(task_->mark->kind)) return at(allowed);  // a contact deforms nothing
   const PlotMapping map = canvas_.mapping();
   const double way_px = std::hypot((to.displacement_mm - from.displacement_mm) * map.pxPerX,
                                    (to.force_N - from.force_N) * map.pxPerY);

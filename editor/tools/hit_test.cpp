@@ -39,9 +39,7 @@ double hitDistance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y(
 void addHandles(const GraphCanvas& canvas, const PlotMapping& map, QPointF at_px, double within_px,
                 std::vector<Candidate>& found) {
   const auto& selected = canvas.selected();
-  if (!selected || (selected->kind != MarkKind::knot && selected->kind != MarkKind::slopeBefore &&
-                    selected->kind != MarkKind::slopeAfter))
-    return;
+  if (!selected || (selected->kind != MarkKind::knot && !isSlope(selected->kind))) return;
   const SlopeHandles handles =
       slopeHandlesOf(canvas.state().graph.curve(selected->stroke), selected->index, map);
   const auto offer = [&](const std::optional<QPointF>& end, MarkKind kind) {

@@ -23,8 +23,6 @@ bool isArrow(int key) {
 
 bool asksValues(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_F2; }
 
-bool isSlope(MarkKind kind) { return kind == MarkKind::slopeBefore || kind == MarkKind::slopeAfter; }
-
 }  // namespace
 
 bool Keyboard::wants(int key, Qt::KeyboardModifiers modifiers) const {

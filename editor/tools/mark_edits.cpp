@@ -209,9 +209,7 @@ std::optional<std::size_t> knotAt(const StrokeCurve& curve, double displacement_
 }
 
 QString moveLabel(MarkId mark) {
-  if (mark.kind == MarkKind::slopeBefore || mark.kind == MarkKind::slopeAfter)
-    return tr("Change: %1").arg(nameOf(mark));
-  return tr("Move: %1").arg(nameOf(mark));
+  return (isSlope(mark.kind) ? tr("Change: %1") : tr("Move: %1")).arg(nameOf(mark));
 }
 
 QString removeLabel(MarkId mark) { return tr("Remove: %1").arg(nameOf(mark)); }

@@ -46,9 +46,7 @@ bool isBack(CurvePoint from, CurvePoint to) {
          std::abs(to.force_N - from.force_N) <= rounding;
 }
 
-bool isPoint(MarkKind kind) {
-  return kind != MarkKind::section && kind != MarkKind::slopeBefore && kind != MarkKind::slopeAfter;
-}
+bool isPoint(MarkKind kind) { return kind != MarkKind::section && !isSlope(kind); }
 
 }  // namespace
 
@@ -78,7 +76,7 @@ void SelectTool::hover(const PointerInput& input) {
   if (mark) feedback.hovered = mark->id;
   context_.canvas.setFeedback(feedback);
   const auto cursorOf = [](MarkKind kind) {
-    if (kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint) return Qt::SizeHorCursor;
+    if (isContact(kind)) return Qt::SizeHorCursor;
     return kind == MarkKind::section ? Qt::SizeVerCursor : Qt::OpenHandCursor;
   };
   if (mark)

@@ -13,8 +13,6 @@ Failure selectionRefusal(Message problem, const Message& remedy) {
   return {FailureCode::wrongUsage, "selection", "", std::move(problem), remedy};
 }
 
-bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
-
 std::vector<std::size_t> knotsOf(const std::vector<MarkId>& marks, Stroke stroke) {
   std::vector<std::size_t> knots;
   for (const MarkId& mark : marks)
@@ -87,8 +85,7 @@ CurvePoint placeOf(const StrokeCurve& curve, std::size_t knot) {
 
 std::vector<MarkId> pointsOf(MarkId mark, const ButtonState& state, const GraphValues& values) {
   if (isContact(mark.kind) || mark.kind == MarkKind::knot) return {mark};
-  if (mark.kind == MarkKind::slopeBefore || mark.kind == MarkKind::slopeAfter)
-    return {{MarkKind::knot, mark.stroke, mark.index}};
+  if (isSlope(mark.kind)) return {{MarkKind::knot, mark.stroke, mark.index}};
   const StrokeCurve& curve = state.graph.curve(mark.stroke);
   if (mark.kind != MarkKind::section) {
     const auto at = editor::placeOf(mark, state, values);

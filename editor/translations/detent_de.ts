@@ -10409,20 +10409,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Achsen sind vertauscht: Die Kraft verläuft nach rechts und der Weg nach oben</translation>
     </message>
     <message>
-        <source>Import a graph of the same button with evenly divided axes</source>
-        <translation>Importieren Sie einen Graphen desselben Tasters mit gleichmäßig geteilten Achsen</translation>
-    </message>
-    <message>
         <source>%1 axis: given, %2 of %3 printed numbers agree</source>
         <translation>%1-Achse: vorgegeben, %2 von %3 gedruckten Zahlen stimmen überein</translation>
     </message>
     <message>
         <source>%1 axis: %2 of %3 printed numbers fit one scale, with %4 ticks</source>
         <translation>%1-Achse: %2 von %3 gedruckten Zahlen passen zu einer Skala, mit %4 Teilstrichen</translation>
-    </message>
-    <message>
-        <source>a second scale on the right may be that of a curve</source>
-        <translation>eine zweite Skala rechts kann zu einer der Kurven gehören</translation>
     </message>
     <message>
         <source>the values given for the %1 axis contradict the numbers printed there (%2)</source>
@@ -10439,10 +10431,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>has categories in place of a scale</source>
         <translation>zeigt Kategorien statt einer Skala</translation>
-    </message>
-    <message>
-        <source>Use a plot with linear axes</source>
-        <translation>Ein Diagramm mit linearen Achsen verwenden</translation>
     </message>
     <message>
         <source>the %1 axis %2</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn stands where the axes say, in every unit, zoom and theme.
 #include <cmath>
+#include <QSignalSpy>
 
 #include "editor/canvas/curve_path.h"
 #include "editor/canvas/displacement_force_view.h"
@@ -58,6 +59,7 @@ class CanvasTest : public QObject {
   void steepZoomStaysFinite();
   void ticksAreRoundInTheUsersUnit();
   void unitsChangeLabelsAndNotTheView();
+  void theReferenceIsSeenWhole();
   void pageLiesUnderTheAxes();
   void opacityHidesThePage();
   void darkThemeTurnsThePaper();
@@ -164,6 +166,24 @@ void CanvasTest::ticksAreRoundInTheUsersUnit() {
   QVERIFY(ticks.size() > 2);
   for (qsizetype i = 0; i < ticks.size(); ++i) QVERIFY(near(labels[i].toDouble() * 25.4, ticks[i], 1e-9));
   QVERIFY(near((ticks[1] - ticks[0]) / 25.4, 0.05, 1e-9) || near((ticks[1] - ticks[0]) / 25.4, 0.02, 1e-9));
+}
+
+void CanvasTest::theReferenceIsSeenWhole() {
+  WorkspaceRig rig(require(tactileButton()));
+  const auto press = StrokeCurve::fromKnots({{0, 0, 1, 1}, {5, 2, 0, 0}});
+  const auto release = StrokeCurve::fromKnots({{0, -0.8, 0, 0}, {5, 1.5, 0, 0}});
+  const auto graph = ForceGraph::fromCurves(*press, *release);
+  rig.canvas().showReference(Reference{{"", *graph, {}, {}, {}}, "other"});
+  for (const QPointF end : {QPointF(0, -0.8), QPointF(5, 2)})
+    QVERIFY(rig.canvas().mapping().clip_px.contains(rig.pixel(end.x(), end.y())));
+  QCoreApplication::processEvents();
+  QSignalSpy drawn(&rig.canvas(), &QCustomPlot::afterReplot);
+  rig.canvas().showPreview(ButtonState{"", *graph, {}, {}, {}});
+  rig.canvas().showSpread({});
+  QCoreApplication::processEvents();
+  QCOMPARE(drawn.size(), 0);  // axes and page are as they were
+  rig.canvas().showReference({});
+  QVERIFY(!rig.canvas().mapping().clip_px.contains(rig.pixel(5, 2)));
 }
 
 void CanvasTest::unitsChangeLabelsAndNotTheView() {

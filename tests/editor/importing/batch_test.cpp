@@ -35,7 +35,7 @@ struct BatchRig {
     actions.files = [this](QWidget*) { return files; };
     actions.folder = [this](QWidget*) { return from; };
     actions.folderToSave = [this](QWidget*) {
-      if (whileAsked) whileAsked();
+      if (meanwhile) meanwhile();
       return saveIn;
     };
     actions.correct = [this](const QString& path, GraphId graph) {
@@ -62,7 +62,7 @@ struct BatchRig {
   ViewSettings view;
   QStringList files, corrected, opened;
   QString from, saveIn;
-  std::function<void()> whileAsked;  ///< runs while the folder is asked for
+  std::function<void()> meanwhile;  ///< runs while the dialogue for the folder is open
   std::vector<GraphId> graphs;
   std::vector<Button> buttons;
   std::unique_ptr<BatchDialog> dialog;
@@ -173,10 +173,10 @@ class BatchTest : public QObject {
     QVERIFY2(rig.summary().startsWith("Saved 0 of 1 buttons"), qPrintable(rig.summary()));
   }
 
-  void filesThatFinishWhileTheFolderIsAskedForAreSavedToo() {
+  void filesThatFinishWhileTheFolderIsChosenAreSavedToo() {
     BatchRig rig(at("meanwhile"));
     QVERIFY(QDir().mkpath(at("meanwhile")));
-    rig.whileAsked = [&] { QVERIFY(QTest::qWaitFor([&] { return !rig.running(); }, patience_ms)); };
+    rig.meanwhile = [&] { QVERIFY(QTest::qWaitFor([&] { return !rig.running(); }, patience_ms)); };
     rig.files = QStringList(12, sample("force-meter-log.csv"));
     rig.button("batchFiles").click();
     QVERIFY(QTest::qWaitFor([&] { return rig.button("batchSave").isEnabled(); }, patience_ms));

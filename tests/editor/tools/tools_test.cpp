@@ -34,6 +34,7 @@ class ToolsTest : public QObject {
   void aDimensionMovesItsContact();
   void aDragShowsWhatItChanges();
   void measuresBetweenPoints();
+  void measuresTheCurveBesideASlopeHandle();
   void escapeCancelsADragExactly();
   void refusedMoveStopsAtTheLimit();
   void undoInTheMiddleOfADragEndsIt();
@@ -180,6 +181,28 @@ void ToolsTest::measuresBetweenPoints() {
   QVERIFY(rig.button() == before);
   rig.action("toolSelect")->trigger();
   QVERIFY(!rig.canvas().feedback().measured);
+}
+
+// The handle of a selected knot lies on the tangent: its end is no place of the curve.
+void ToolsTest::measuresTheCurveBesideASlopeHandle() {
+  WorkspaceRig rig(require(tactileButton()));
+  const PlotMapping map = rig.canvas().mapping();
+  std::optional<QPointF> place;
+  for (std::size_t i = 0; i < rig.press().knots().size() && !place; ++i) {
+    const auto end = slopeHandlesOf(rig.press(), i, map).after_px;
+    if (!end) continue;
+    const double at_mm = map.toPlot(*end).x();
+    const QPointF onCurve = map.toPixel(at_mm, rig.press().force_N(at_mm));
+    const double away_px = std::abs(onCurve.y() - end->y());
+    if (away_px < 1 || away_px > 6) continue;
+    rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, i});
+    place = onCurve;
+  }
+  QVERIFY(place);
+  rig.action("toolMeasure")->trigger();
+  rig.drag(*place, *place + QPointF(0, -120));
+  const CurvePoint from = rig.canvas().feedback().measured->from;
+  QVERIFY(near(from.force_N, rig.press().force_N(from.displacement_mm), 1e-6));
 }
 
 void ToolsTest::escapeCancelsADragExactly() {
