@@ -63,7 +63,7 @@ double smoothSlope(const Chords& chords) {
   return std::isfinite(slope) ? slope : 0;
 }
 
-// Whether the piece between two knots only rises, only falls, or is level: Fritsch and Carlson's condition.
+// True if the piece between two knots only rises, only falls, or is level: Fritsch and Carlson's condition.
 bool isMonotone(const Knot& a, const Knot& b) {
   const double chord = chordSlope(a, b).value_or(0), from = a.slopeAfter_N_per_mm,
                to = b.slopeBefore_N_per_mm;

@@ -27,7 +27,7 @@ enum class ShapeRule {
   bottomOut,     ///< a bottom-out at the end stays one, and nothing else becomes one
 };
 
-/// What an unknown moves.
+/// Part of the curve that an unknown moves.
 enum class Moved {
   landmark,    ///< of the press, before the bottom-out
   stopTravel,  ///< the start of the bottom-out or the end of a stroke, in displacement
@@ -60,7 +60,7 @@ class BendableState {
   Eigen::Index unknowns() const { return unknowns_; }
   /// One entry for each unknown.
   const std::vector<Moved>& moved() const { return moved_; }
-  /// Removes all other unknowns: what they move stays.
+  /// Removes all other unknowns; their parts of the curve stay.
   void keepOnly(const std::vector<Eigen::Index>& unknowns);
   /// Inverse of the cost matrix. Moving a landmark or contact by the whole travel or force range costs 1;
   /// bulges cost by their steepness.

@@ -32,7 +32,7 @@ constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, S
                                       ShapeRule::noPull,  ShapeRule::tactile,  ShapeRule::mainEvent,
                                       ShapeRule::width,   ShapeRule::direction};
 
-// What else may move besides the landmarks that the requested figures are measured at.
+// Freedom of landmarks that no requested figure is measured at.
 enum class Others { held, free };
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
@@ -69,7 +69,7 @@ class Search {
         effort_(effort) {}
 
   std::optional<ButtonState> found(Others others) {
-    keepWhatMay(others);
+    restrictUnknowns(others);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(bendable_.unknowns());
     auto now = z.size() > 0 ? seen(z) : std::nullopt;
     int onceMet = 0;
@@ -107,7 +107,7 @@ class Search {
     ButtonState state;
     Eigen::VectorXd missing;  // target minus figure
     Eigen::VectorXd gaps;     // in shares of the range
-    bool wallAtEnd;           // or no bottom-out before it
+    bool bottomOutAtEnd;      // or none
   };
   // State in which no step helped: none was allowed, or `way`, which was, brought nothing.
   struct Stuck {
@@ -118,7 +118,7 @@ class Search {
   };
 
   // The stop stays unless a figure of it is requested.
-  void keepWhatMay(Others others) {
+  void restrictUnknowns(Others others) {
     const bool travel = isWanted({KeyFigure::bottomOutTravel, KeyFigure::totalTravel}),
                force = isWanted({KeyFigure::bottomOutForce, KeyFigure::endForce, KeyFigure::slopeToPeak,
                                  KeyFigure::slopeToBottomOut});
@@ -194,8 +194,8 @@ class Search {
           (targets_[i].value - *value) / scaleOf(unitOf(targets_[i].figure));
     }
     Eigen::VectorXd gaps = bendable_.gaps(z, *state) / bendable_.range_N();
-    const bool wallAtEnd = figures[KeyFigure::bottomOutTravel] == figures[KeyFigure::totalTravel];
-    return Seen{*std::move(state), std::move(missing), std::move(gaps), wallAtEnd};
+    const bool bottomOutAtEnd = figures[KeyFigure::bottomOutTravel] == figures[KeyFigure::totalTravel];
+    return Seen{*std::move(state), std::move(missing), std::move(gaps), bottomOutAtEnd};
   }
 
   bool isMet(const Seen& seen) const {
@@ -266,7 +266,7 @@ class Search {
     for (double part = 1; part >= leastStep; part /= 2) {
       const Eigen::VectorXd place = z + part * way;
       auto there = seen(place);
-      if (!there || (now.wallAtEnd && !there->wallAtEnd)) continue;
+      if (!there || (now.bottomOutAtEnd && !there->bottomOutAtEnd)) continue;
       if (met ? !isMet(*there) : !(distance(*there) < before)) continue;
       z = place;
       return there;
