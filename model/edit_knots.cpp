@@ -63,6 +63,41 @@ double smoothSlope(const Chords& chords) {
   return std::isfinite(slope) ? slope : 0;
 }
 
+// True if the piece between two knots only rises, only falls, or is level: Fritsch and Carlson's condition.
+bool isMonotone(const Knot& a, const Knot& b) {
+  const double chord = chordSlope(a, b).value_or(0), from = a.slopeAfter_N_per_mm,
+               to = b.slopeBefore_N_per_mm;
+  if (a.displacement_mm == b.displacement_mm) return true;
+  if (chord == 0) return from == 0 && to == 0;
+  const double first = from / chord, last = to / chord, twice = 2 * first + last - 3;
+  if (first < 0 || last < 0) return false;
+  if (first + last <= 2 || twice <= 0 || first + 2 * last <= 3) return true;
+  return first - twice * twice / (3 * (first + last - 2)) >= 0;
+}
+
+// Limits the slopes of pieces that were monotone, so that they are so between the moved knots, too; smooth
+// knots stay smooth. Slopes only get nearer to 0.
+void keepMonotone(const std::vector<Knot>& old, std::vector<Knot>& knots) {
+  constexpr double steepest = 3;  // times the chord: up to there every cubic is monotone
+  const auto limited = [](double slope, double chord) {
+    return std::clamp(slope, std::min(0.0, steepest * chord), std::max(0.0, steepest * chord));
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+      if (isMonotone(knots[i - 1], knots[i]) || !isMonotone(old[i - 1], old[i])) continue;
+      const double chord = *chordSlope(knots[i - 1], knots[i]);
+      for (Knot* knot : {&knots[i - 1], &knots[i]}) {
+        const bool smooth = knot->slopeBefore_N_per_mm == knot->slopeAfter_N_per_mm;
+        double& slope = knot == &knots[i] ? knot->slopeBefore_N_per_mm : knot->slopeAfter_N_per_mm;
+        slope = limited(slope, chord);
+        if (smooth) knot->slopeBefore_N_per_mm = knot->slopeAfter_N_per_mm = slope;
+      }
+      changed = isMonotone(knots[i - 1], knots[i]) || changed;
+    }
+  }
+}
+
 }  // namespace
 
 Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurvePoint to) {
@@ -77,10 +112,7 @@ Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurveP
                                millimetres(neighbour.displacement_mm)),
                        Message("Keep it between its neighbours, or remove the neighbour first"));
   }
-  return editKnot(curve, index, [&](Knot& k) {
-    k.displacement_mm = to.displacement_mm;
-    k.force_N = to.force_N;
-  });
+  return placeKnots(curve, {{index, to}});
 }
 
 Result<StrokeCurve> setSlopeBefore(const StrokeCurve& curve, std::size_t index, double slope_N_per_mm) {
@@ -161,6 +193,7 @@ Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotP
                                i, millimetres(knots[i - 1].displacement_mm)),
                        Message("Keep the knots in their order, or select fewer"));
   }
+  keepMonotone(curve.knots(), knots);
   return StrokeCurve::fromKnots(std::move(knots));
 }
 

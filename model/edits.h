@@ -18,7 +18,7 @@ namespace detent {
 
 // ---- knots
 
-/// Moves a knot and keeps its slopes. It must stay between its neighbours.
+/// Moves a knot between its neighbours. Where a piece would begin to turn, its slopes are limited.
 Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurvePoint to);
 
 Result<StrokeCurve> setSlopeBefore(const StrokeCurve& curve, std::size_t index, double slope_N_per_mm);
@@ -42,7 +42,7 @@ struct KnotPlace {
   std::size_t index = 0;
   CurvePoint to;
 };
-/// Moves several knots at once and keeps their slopes. The order of knots must not change. Without places,
+/// Moves several knots at once, as moveKnot does. The order of knots must not change. Without places,
 /// returns the curve itself.
 Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& positions);
 /// Removes several knots at once, as removeKnot does. Indices in any order; duplicates are allowed.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/travel_steps.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace detent {
 namespace {
+
+constexpr double endRounding_mm = 1e-3;  // a travel of 3.9998 mm was printed as 4 mm
 
 void appendRounded(std::string& out, double value) {
   char text[32];
@@ -13,11 +16,12 @@ void appendRounded(std::string& out, double value) {
 }
 
 void appendSample(std::string& csv, const char* stroke, const StrokeCurve& curve, double at_mm) {
-  if (at_mm < curve.start_mm() || at_mm > curve.end_mm()) return;
+  // The last step may be rounded beyond the end by less than the page was read to.
+  if (at_mm < curve.start_mm() || at_mm > curve.end_mm() + endRounding_mm) return;
   csv += stroke;
   appendRounded(csv, at_mm);
   csv += ',';
-  appendRounded(csv, curve.force_N(at_mm));
+  appendRounded(csv, curve.force_N(std::min(at_mm, curve.end_mm())));
   csv += '\n';
 }
 
@@ -39,9 +43,10 @@ Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& grap
   for (double count = std::ceil(start_mm / step_mm); count <= last; ++count)
     travels_mm.push_back(count * step_mm);
   // A last multiple that differs from the end by rounding alone is the end.
-  const double rounding_mm = 1e-9 * step_mm;
-  if (!travels_mm.empty() && end_mm - travels_mm.back() < rounding_mm) travels_mm.pop_back();
-  travels_mm.push_back(end_mm);
+  const double next_mm = std::round(end_mm / step_mm) * step_mm;
+  const bool isRounded = std::abs(end_mm - next_mm) <= std::min(endRounding_mm, 0.1 * step_mm);
+  if (isRounded && !travels_mm.empty() && travels_mm.back() == next_mm) travels_mm.pop_back();
+  travels_mm.push_back(isRounded ? next_mm : end_mm);
   return travels_mm;
 }
 
@@ -50,7 +55,7 @@ Result<std::vector<double>> travelsWithin(std::vector<double> travels_mm, const 
   if (travels_mm.empty()) return refusal(Message("no travel is given"), Message("Give at least one"));
   const auto length = [](double at_mm) { return MessageValue(at_mm, Measure::displacement_mm); };
   for (const double at_mm : travels_mm)
-    if (!(at_mm >= start_mm && at_mm <= end_mm))
+    if (!(at_mm >= start_mm && at_mm <= end_mm + endRounding_mm))
       return refusal(Message("%1 lies outside the travel", length(at_mm)),
                      Message("Give travels from %1 to %2", length(start_mm), length(end_mm)));
   return travels_mm;

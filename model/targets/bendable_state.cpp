@@ -155,12 +155,16 @@ struct BendableState::Unknowns {
   };
   Eigen::Index count = 0;
   std::vector<Entry> entries;
+  std::vector<Moved> moved;
 
-  Eigen::Index one(double cost) {
-    entries.push_back({count, count, cost});
+  Eigen::Index one(Moved what) {
+    entries.push_back({count, count, 1});
+    return free(what);
+  }
+  Eigen::Index free(Moved what) {
+    moved.push_back(what);
     return count++;
   }
-  Eigen::Index free() { return count++; }
   // Adds a spring between two bulges; -1: a landmark without one.
   void spring(Eigen::Index a, Eigen::Index b, double cost) {
     if (a >= 0) entries.push_back({a, a, cost});
@@ -194,6 +198,7 @@ BendableState::BendableState(const ButtonState& state, const SectionSettings& se
   operating_ = contactMoves(press_, state.operatingPoint_mm, contacts, unknowns);
   reset_ = contactMoves(release_ ? *release_ : press_, state.resetPoint_mm, contacts, unknowns);
   unknowns_ = unknowns.count;
+  moved_ = std::move(unknowns.moved);
   for (Line* line : {&press_, release_ ? &*release_ : nullptr}) {
     if (!line) continue;
     line->mm.conservativeResizeLike(Eigen::MatrixXd::Zero(line->mm.rows(), unknowns_));
@@ -201,15 +206,32 @@ BendableState::BendableState(const ButtonState& state, const SectionSettings& se
   }
   for (Eigen::RowVectorXd* moves : {&operating_, &reset_})
     moves->conservativeResizeLike(Eigen::RowVectorXd::Zero(unknowns_));
-  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
-  for (const Unknowns::Entry& entry : unknowns.entries) cost(entry.a, entry.b) += entry.cost;
-  inverseCost_ = cost.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
+  cost_ = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+  for (const Unknowns::Entry& entry : unknowns.entries) cost_(entry.a, entry.b) += entry.cost;
+  inverseCost_ = cost_.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
 
   addRulesOf(press_);
   if (release_) addRulesOf(*release_);
   addRulesOfEvents(press_, press);
   addRulesOfContacts();
   findGaps();
+}
+
+void BendableState::keepOnly(const std::vector<Eigen::Index>& unknowns) {
+  unknowns_ = static_cast<Eigen::Index>(unknowns.size());
+  for (Line* line : {&press_, release_ ? &*release_ : nullptr}) {
+    if (!line) continue;
+    line->mm = line->mm(Eigen::all, unknowns).eval();
+    line->N = line->N(Eigen::all, unknowns).eval();
+  }
+  for (Eigen::RowVectorXd* moves : {&operating_, &reset_}) *moves = (*moves)(unknowns).eval();
+  std::vector<Moved> moved;
+  for (const Eigen::Index i : unknowns) moved.push_back(moved_[static_cast<std::size_t>(i)]);
+  moved_ = std::move(moved);
+  cost_ = cost_(unknowns, unknowns).eval();
+  inverseCost_ = cost_.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
+  for (Rule& rule : rules_) rule.linear.normal = rule.linear.normal(unknowns).eval();
+  std::erase_if(rules_, [](const Rule& rule) { return rule.linear.normal.squaredNorm() == 0; });
 }
 
 BendableState::Line BendableState::lineOf(const StrokeCurve& curve, Stroke stroke, Bulges bulges) const {
@@ -241,13 +263,13 @@ BendableState::Line BendableState::lineOf(const StrokeCurve& curve, Stroke strok
 
 // Rows of moves: a landmark moves by its unknown; knots between move in proportion and by their bulge.
 void BendableState::spread(Line& line, const std::vector<Eigen::Index>& mm,
-                           const std::vector<Eigen::Index>& N, Unknowns& unknowns) {
+                           const std::vector<Eigen::Index>& N, Moved bulge, Unknowns& unknowns) {
   const std::size_t count = line.handles.size();
   std::vector<Eigen::Index> bulges_mm(count, -1), bulges_N(count, -1);
   for (std::size_t i = 0; i < count; ++i) {
     if (line.handles[i].landmark) continue;
-    bulges_mm[i] = unknowns.free();
-    bulges_N[i] = unknowns.free();
+    bulges_mm[i] = unknowns.free(bulge);
+    bulges_N[i] = unknowns.free(bulge);
   }
   const auto rows = static_cast<Eigen::Index>(count);
   line.mm = line.N = Eigen::MatrixXd::Zero(rows, unknowns.count);
@@ -260,11 +282,11 @@ void BendableState::spread(Line& line, const std::vector<Eigen::Index>& mm,
       const auto row = static_cast<Eigen::Index>(i);
       const std::size_t at = line.handles[i].knot - first;
       const auto put = [&](Eigen::MatrixXd& moves, const std::vector<Eigen::Index>& of, double share,
-                           Eigen::Index bulge) {
+                           Eigen::Index own) {
         moves.row(row).setZero();
         if (of[left] >= 0) moves(row, of[left]) += 1 - share;
         if (of[right] >= 0) moves(row, of[right]) += share;
-        if (bulge >= 0) moves(row, bulge) += 1;
+        if (own >= 0) moves(row, own) += 1;
       };
       put(line.mm, mm, along[at], bulges_mm[i]);
       put(line.N, N, up[at], bulges_N[i]);
@@ -287,7 +309,8 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
     moves.row(row).cwiseAbs().maxCoeff(&column);
     return moves(row, column) == 1 ? column : Eigen::Index{-1};
   };
-  const double bottomOut_mm = bottomOutOf(state_.graph.press(), settings_).displacement_mm;
+  const double bottomOut_mm = bottomOutOf(state_.graph.press(), settings_).displacement_mm,
+               stop_mm = met ? bottomOutOf(*state_.graph.release(), settings_).displacement_mm : bottomOut_mm;
   for (std::size_t i = 0; i < line.handles.size(); ++i) {
     if (!line.handles[i].landmark) continue;
     const Knot& knot = line.knots[line.handles[i].knot];
@@ -297,10 +320,9 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
       const Knot& other = met->knots[met->handles[k].knot];
       const double apart = std::abs(other.displacement_mm - knot.displacement_mm) / travel_mm_;
       const bool ends = (i == 0 && k == 0) || (i + 1 == line.handles.size() && k + 1 == met->handles.size());
-      const bool atBottomOut =
-          i > 0 && other.displacement_mm == bottomOut_mm && met->handles[k].landmark &&
-          apart < sameBottomOut && i + 1 < line.handles.size() &&
-          bottomOutOf(*state_.graph.release(), settings_).displacement_mm == knot.displacement_mm;
+      const bool atBottomOut = i > 0 && other.displacement_mm == bottomOut_mm && met->handles[k].landmark &&
+                               apart < sameBottomOut && i + 1 < line.handles.size() &&
+                               stop_mm == knot.displacement_mm;
       if ((ends && apart < same) || atBottomOut) {
         if (!start) mm[i] = single(met->mm, static_cast<Eigen::Index>(k));
         if (ends && std::abs(other.force_N - knot.force_N) < same * range_N_)
@@ -308,10 +330,12 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
       }
     }
     if (twin && i > 0) mm[i] = mm[i - 1];
-    if (!start && mm[i] < 0) mm[i] = unknowns.one(1);
-    if (N[i] < 0) N[i] = unknowns.one(1);
+    const bool stop = i > 0 && knot.displacement_mm >= stop_mm;
+    const Moved before = met ? Moved::release : Moved::landmark;
+    if (!start && mm[i] < 0) mm[i] = unknowns.one(stop ? Moved::stopTravel : before);
+    if (N[i] < 0) N[i] = unknowns.one(stop ? Moved::stopForce : before);
   }
-  spread(line, mm, N, unknowns);
+  spread(line, mm, N, met ? Moved::releaseBulge : Moved::bulge, unknowns);
 }
 
 // Rows for the contacts. At a corner a contact that moves by itself has a different slope on each side, and
@@ -327,7 +351,7 @@ Eigen::RowVectorXd BendableState::contactMoves(const Line& line, std::optional<d
     const auto row = static_cast<Eigen::Index>(i);
     return (1 - share) * line.mm.row(row - 1) + share * line.mm.row(row);
   }
-  const Eigen::Index own = unknowns.one(1);
+  const Eigen::Index own = unknowns.one(Moved::contact);
   Eigen::RowVectorXd moves = Eigen::RowVectorXd::Zero(unknowns.count);
   moves[own] = 1;
   return moves;

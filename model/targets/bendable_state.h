@@ -27,6 +27,17 @@ enum class ShapeRule {
   bottomOut,     ///< a bottom-out at the end stays one, and nothing else becomes one
 };
 
+/// Part of the curve that an unknown moves.
+enum class Moved {
+  landmark,    ///< of the press, before the bottom-out
+  stopTravel,  ///< the start of the bottom-out or the end of a stroke, in displacement
+  stopForce,   ///< the same in force
+  bulge,       ///< of the press
+  release,     ///< a landmark of the release, before the bottom-out
+  releaseBulge,
+  contact
+};
+
 /// Landmarks are the ends of the strokes, every tactile point with the valley or hump after it, and the start
 /// of the bottom-out. Moving one stretches the curve to its neighbours in proportion; the curve between them
 /// can also bulge. Unknowns are shares of the travel and of the force range below the bottom-out, initially
@@ -47,6 +58,10 @@ class BendableState {
   BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges, Contacts contacts);
 
   Eigen::Index unknowns() const { return unknowns_; }
+  /// One entry for each unknown.
+  const std::vector<Moved>& moved() const { return moved_; }
+  /// Removes all other unknowns; their parts of the curve stay.
+  void keepOnly(const std::vector<Eigen::Index>& unknowns);
   /// Inverse of the cost matrix. Moving a landmark or contact by the whole travel or force range costs 1;
   /// bulges cost by their steepness.
   const Eigen::MatrixXd& inverseCost() const { return inverseCost_; }
@@ -79,7 +94,7 @@ class BendableState {
 
   Line lineOf(const StrokeCurve& curve, Stroke stroke, Bulges bulges) const;
   void spread(Line& line, const std::vector<Eigen::Index>& mm, const std::vector<Eigen::Index>& N,
-              Unknowns& unknowns);
+              Moved bulge, Unknowns& unknowns);
   void addLine(Line& line, const Line* met, Unknowns& unknowns);
   void addRulesOf(const Line& line);
   void addRulesOfEvents(const Line& line, const StrokeCurve& press);
@@ -95,10 +110,11 @@ class BendableState {
   SectionSettings settings_;
   double travel_mm_ = 1, range_N_ = 1;
   Eigen::Index unknowns_ = 0;
+  std::vector<Moved> moved_;
   Line press_;
   std::optional<Line> release_;
   Eigen::RowVectorXd operating_, reset_;  // unknowns to moves of the contacts, in shares
-  Eigen::MatrixXd inverseCost_;
+  Eigen::MatrixXd cost_, inverseCost_;
   std::vector<Rule> rules_;
   std::vector<std::size_t> pressGaps_, releaseGaps_;  // handles at which the release was not above the press
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <set>
 
 #include "model/check.h"
@@ -17,6 +18,7 @@ namespace {
 constexpr int mostSteps = 40;
 constexpr int stepsOnceMet = 3;         // towards the least cost, after the figures are met
 constexpr double difference = 1e-6;     // of an unknown, for numeric slopes of figures
+constexpr double noSlope = 1e-6;        // rounding of numeric slopes
 constexpr double settled = 1e-5;        // an unknown that moves by less has converged
 constexpr double exact = 1e-9;          // shares of travel and range: a closer figure is met
 constexpr double leastPart = 1.0 / 32;  // smallest share of the way to the targets that a step must achieve
@@ -29,6 +31,9 @@ constexpr double leastOfWay = 1.0 / 64;  // resolution of the limit of an imposs
 constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, ShapeRule::releaseBelow,
                                       ShapeRule::noPull,  ShapeRule::tactile,  ShapeRule::mainEvent,
                                       ShapeRule::width,   ShapeRule::direction};
+
+// Freedom of landmarks that no requested figure is measured at.
+enum class Others { held, free };
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 const char* termOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].term; }
@@ -63,9 +68,10 @@ class Search {
         settings_(settings),
         effort_(effort) {}
 
-  std::optional<ButtonState> found() {
+  std::optional<ButtonState> found(Others others) {
+    restrictUnknowns(others);
     Eigen::VectorXd z = Eigen::VectorXd::Zero(bendable_.unknowns());
-    auto now = seen(z);
+    auto now = z.size() > 0 ? seen(z) : std::nullopt;
     int onceMet = 0;
     for (int step = 0; now && step < mostSteps && !effort_.givenUp(); ++step) {
       if (onceMet == 0 && effort_.spent()) break;  // once met, the change is still minimised
@@ -101,6 +107,7 @@ class Search {
     ButtonState state;
     Eigen::VectorXd missing;  // target minus figure
     Eigen::VectorXd gaps;     // in shares of the range
+    bool bottomOutAtEnd;      // or none
   };
   // State in which no step helped: none was allowed, or `way`, which was, brought nothing.
   struct Stuck {
@@ -109,6 +116,45 @@ class Search {
     Seen seen;
     std::optional<Eigen::VectorXd> way;
   };
+
+  // The stop stays unless a figure of it is requested.
+  void restrictUnknowns(Others others) {
+    const bool travel = isWanted({KeyFigure::bottomOutTravel, KeyFigure::totalTravel}),
+               force = isWanted({KeyFigure::bottomOutForce, KeyFigure::endForce, KeyFigure::slopeToPeak,
+                                 KeyFigure::slopeToBottomOut});
+    const std::vector<Moved>& moved = bendable_.moved();
+    std::vector<bool> may(moved.size());
+    std::transform(moved.begin(), moved.end(), may.begin(), [&](Moved what) {
+      return what == Moved::stopTravel ? travel : what == Moved::stopForce ? force : true;
+    });
+    if (others == Others::held) keepCarriers(may);
+    std::vector<Eigen::Index> kept;
+    for (std::size_t i = 0; i < may.size(); ++i)
+      if (may[i]) kept.push_back(static_cast<Eigen::Index>(i));
+    bendable_.keepOnly(kept);
+  }
+  // Bulges follow what moves on their stroke.
+  void keepCarriers(std::vector<bool>& may) const {
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(bendable_.unknowns());
+    const auto now = seen(still);
+    const auto slopes = now ? slopesAt(still, *now) : std::nullopt;
+    if (!slopes) return;
+    const std::vector<Moved>& moved = bendable_.moved();
+    bool releaseMoves = false;
+    for (std::size_t i = 0; i < may.size(); ++i) {
+      if (moved[i] == Moved::bulge || moved[i] == Moved::releaseBulge) continue;
+      const auto column = slopes->col(static_cast<Eigen::Index>(i)).head(now->missing.size());
+      may[i] = may[i] && column.cwiseAbs().maxCoeff() > noSlope;
+      releaseMoves = releaseMoves || (may[i] && moved[i] == Moved::release);
+    }
+    for (std::size_t i = 0; i < may.size(); ++i)
+      if (moved[i] == Moved::releaseBulge) may[i] = releaseMoves;
+  }
+  bool isWanted(std::initializer_list<KeyFigure> figures) const {
+    return std::ranges::any_of(targets_, [&](const FigureTarget& target) {
+      return std::ranges::find(figures, target.figure) != figures.end();
+    });
+  }
 
   double scaleOf(FigureUnit unit) const {
     const double mm = bendable_.travel_mm(), N = bendable_.range_N();
@@ -148,7 +194,8 @@ class Search {
           (targets_[i].value - *value) / scaleOf(unitOf(targets_[i].figure));
     }
     Eigen::VectorXd gaps = bendable_.gaps(z, *state) / bendable_.range_N();
-    return Seen{*std::move(state), std::move(missing), std::move(gaps)};
+    const bool bottomOutAtEnd = figures[KeyFigure::bottomOutTravel] == figures[KeyFigure::totalTravel];
+    return Seen{*std::move(state), std::move(missing), std::move(gaps), bottomOutAtEnd};
   }
 
   bool isMet(const Seen& seen) const {
@@ -219,7 +266,7 @@ class Search {
     for (double part = 1; part >= leastStep; part /= 2) {
       const Eigen::VectorXd place = z + part * way;
       auto there = seen(place);
-      if (!there) continue;
+      if (!there || (now.bottomOutAtEnd && !there->bottomOutAtEnd)) continue;
       if (met ? !isMet(*there) : !(distance(*there) < before)) continue;
       z = place;
       return there;
@@ -234,7 +281,12 @@ class Search {
       if (!there) return ShapeRule::width;
       const StrokeMetrics then = metricsOf(there->graph.press(), Stroke::press, settings_),
                           first = metricsOf(before->graph.press(), Stroke::press, settings_);
-      if (then.bottomOut.isSteep != first.bottomOut.isSteep) return ShapeRule::bottomOut;
+      const auto atEnd = [](const StrokeMetrics& metrics, const ButtonState& state) {
+        return metrics.bottomOut.displacement_mm == state.graph.press().end_mm();
+      };
+      if (then.bottomOut.isSteep != first.bottomOut.isSteep ||
+          (atEnd(first, *before) && !atEnd(then, *there)))
+        return ShapeRule::bottomOut;
       const double moved_mm = std::abs(then.bottomOut.displacement_mm - first.bottomOut.displacement_mm);
       if (moved_mm > largestStep * part * way.cwiseAbs().maxCoeff() * bendable_.travel_mm())
         return ShapeRule::bottomOut;
@@ -429,18 +481,21 @@ class Bending {
   void solve(const std::vector<FigureTarget>& targets, const Takes& takes, const Failed& failed = {}) const {
     const ButtonState& state = button_.states()[state_];
     const bool contacts = state.operatingPoint_mm || state.resetPoint_mm;
-    for (const auto way : {BendableState::Contacts::free, BendableState::Contacts::riding})
-      for (const auto bulges : {BendableState::Bulges::atKnots, BendableState::Bulges::finer}) {
-        if (effort_.over() || (way == BendableState::Contacts::riding && !contacts)) return;
-        Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_, effort_);
-        auto found = search.found();
-        if (!found && failed) failed(search);
-        if (!found) continue;
-        std::vector<ButtonState> states = button_.states();
-        states[state_] = *std::move(found);
-        const auto next = Button::fromStates(button_.name(), std::move(states), button_.provenance());
-        if (next && takes(*next)) return;
-      }
+    for (const auto others : {Others::held, Others::free})
+      for (const auto way : {BendableState::Contacts::free, BendableState::Contacts::riding})
+        for (const auto bulges : {BendableState::Bulges::atKnots, BendableState::Bulges::finer}) {
+          if (effort_.over()) return;
+          if (way == BendableState::Contacts::riding && !contacts) continue;
+          Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_,
+                        effort_);
+          auto found = search.found(others);
+          if (!found && failed && others == Others::free) failed(search);
+          if (!found) continue;
+          std::vector<ButtonState> states = button_.states();
+          states[state_] = *std::move(found);
+          const auto next = Button::fromStates(button_.name(), std::move(states), button_.provenance());
+          if (next && takes(*next)) return;
+        }
   }
 
   std::optional<Rule> newlyBroken(const Button& next) const {

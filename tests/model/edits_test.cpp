@@ -110,6 +110,25 @@ TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
   requireEditRefusal(removeKnot(curveThrough({{0, 0}, {1, 1}}), 0), "needs 2 knots");
 }
 
+// The start is lifted by 0.35 N; with its slope of 0.81 N/mm kept, the force would reach 0.86 N at 0.4 mm.
+TEST_CASE("a moved knot makes no peak beside it") {
+  const StrokeCurve curve = require(StrokeCurve::fromKnots(
+      {{0, 0.35, 0.81, 0.81}, {1.2, 0.75, 0, 0}, {1.6, 0.5, 0, 0}, {3, 0.7, 0.2, 0.2}}));
+  const StrokeCurve moved = require(moveKnot(curve, 0, {0, 0.7}));
+  REQUIRE(moved.localMaxima().size() == 1);
+  CHECK(moved.localMaxima().front() == CurvePoint{1.2, 0.75});
+  CHECK(moved.knots()[0].slopeAfter_N_per_mm == Approx(3 * 0.05 / 1.2));
+  CHECK(std::equal(moved.knots().begin() + 1, moved.knots().end(), curve.knots().begin() + 1));
+  // A smooth knot stays smooth, and what had a turn before may keep it.
+  const StrokeCurve steep = require(StrokeCurve::fromKnots({{0, 0, 1, 1}, {1, 1, 1, 1}, {2, 2, 1, 1}}));
+  const StrokeCurve low = require(moveKnot(steep, 1, {1, 0.1}));
+  CHECK(low.knots()[1].slopeBefore_N_per_mm == low.knots()[1].slopeAfter_N_per_mm);
+  CHECK(low.localMaxima().empty());
+  CHECK(low.localMinima().empty());
+  const StrokeCurve turning = require(StrokeCurve::fromKnots({{0, 0.5, 2, 2}, {2, 0.6, 0, 0}}));
+  CHECK(require(moveKnot(turning, 0, {0, 0.55})).knots()[0].slopeAfter_N_per_mm == 2);
+}
+
 TEST_CASE("several knots are put at once, in their order, and keep their slopes") {
   const StrokeCurve curve = tactileCurve();
   const StrokeCurve moved = require(placeKnots(curve, {{1, {0.6, 0.55}}, {2, {1.1, 0.65}}}));

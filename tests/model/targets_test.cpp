@@ -246,3 +246,64 @@ TEST_CASE("damping ends with the travel, whatever that is rounded to") {
     CHECK(bentToTargets(push->button, 0, {{KeyFigure::slopeToBottomOut, slope}}).button);
   }
 }
+
+// Press and release of samples/plots/white-vector.pdf. The release lies 0.01 N below the valley of the press.
+Button datasheetButton() {
+  const auto press = StrokeCurve::fromKnots({{0, 0.35, 0.56, 0.56},
+                                             {1.6, 0.65, 0, 0},
+                                             {2, 0.5, 0, 0},
+                                             {2.5, 0.56, 0.107, 0.107},
+                                             {4, 0.72, 0.107, 0},
+                                             {4, 0.98, 0, 0}});
+  const auto release = StrokeCurve::fromKnots({{0, 0.22, 0.61, 0.61},
+                                               {0.85, 0.42, 0, 0},
+                                               {1.35, 0.24, 0, 0},
+                                               {2.13, 0.5, 0.105, 0.105},
+                                               {4, 0.7, 0.105, 0},
+                                               {4, 0.98, 0, 0}});
+  REQUIRE(press.ok());
+  REQUIRE(release.ok());
+  auto graph = ForceGraph::fromCurves(*press, *release);
+  REQUIRE(graph.ok());
+  auto button = Button::fromStates("datasheet", {{"", *std::move(graph), {}, {}, {}}});
+  REQUIRE(button.ok());
+  return *std::move(button);
+}
+
+TEST_CASE("a target moves what its figure is measured at, and nothing else") {
+  const Button button = datasheetButton();
+  const KeyFigures now = keyFiguresOf(button.states()[0]);
+  const TargetOutcome outcome = bentToTargets(button, 0, {{KeyFigure::drop, 0.2}});
+  REQUIRE(outcome.button);
+  const ButtonState& bent = outcome.button->states()[0];
+  const KeyFigures then = keyFiguresOf(bent);
+  CHECK(*then[KeyFigure::drop] == Approx(0.2).margin(1e-5));
+  CHECK(*then[KeyFigure::peakForce] > *now[KeyFigure::peakForce]);
+  CHECK(*then[KeyFigure::valleyForce] < *now[KeyFigure::valleyForce]);
+  for (const KeyFigure figure : {KeyFigure::peakTravel, KeyFigure::valleyTravel, KeyFigure::bottomOutForce,
+                                 KeyFigure::bottomOutTravel, KeyFigure::totalTravel, KeyFigure::endForce})
+    CHECK(*then[figure] == *now[figure]);
+  const StrokeCurve &release = *button.states()[0].graph.release(), &after = *bent.graph.release();
+  for (int i = 0; i <= 400; ++i)
+    CHECK(after.force_N(0.01 * i) == Approx(release.force_N(0.01 * i)).margin(1e-12));
+}
+
+// The valley would lie below the release, which therefore moves; the stop stays all the same.
+TEST_CASE("the stop stays where a target of another figure moves the release") {
+  const Button button = datasheetButton();
+  const KeyFigures now = keyFiguresOf(button.states()[0]);
+  for (const FigureTarget target : {FigureTarget{KeyFigure::valleyForce, 0.45},
+                                    {KeyFigure::hysteresis, 0.6},
+                                    {KeyFigure::pressWork, 2.6},
+                                    {KeyFigure::slopeToPeak, 0.25}}) {
+    const TargetOutcome outcome = bentToTargets(button, 0, {target});
+    REQUIRE(outcome.button);
+    const KeyFigures then = keyFiguresOf(outcome.button->states()[0]);
+    CHECK(missed(then, target) <= 1);
+    for (const KeyFigure figure :
+         {KeyFigure::bottomOutForce, KeyFigure::bottomOutTravel, KeyFigure::totalTravel, KeyFigure::endForce})
+      CHECK(*then[figure] == *now[figure]);
+  }
+  CHECK(bentToTargets(button, 0, {{KeyFigure::totalTravel, 3.8}}).button);
+  CHECK(bentToTargets(button, 0, {{KeyFigure::slopeToBottomOut, 0.15}}).button);
+}

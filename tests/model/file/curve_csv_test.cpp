@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/file/travel_steps.h"
 #include "model/templates.h"
 
 using namespace detent;
@@ -47,6 +48,25 @@ TEST_CASE("a graph survives the CSV within the stated tolerance") {
     CHECK(distance->maxOfSpan < 4e-4);
     CHECK(again->press().knots().size() <= 2 * graph.press().knots().size() + 2);
   }
+}
+
+// As read off a page that prints 4 mm.
+TEST_CASE("even steps end at the step that the end was printed as") {
+  const auto press = StrokeCurve::throughPoints(std::vector<CurvePoint>{{0, 0.3}, {3.99976856638, 0.7}});
+  REQUIRE(press.ok());
+  const auto graph = ForceGraph::fromCurves(*press, {});
+  REQUIRE(graph.ok());
+  const auto travels_mm = travelsAtEach(0.1, *graph);
+  REQUIRE(travels_mm.ok());
+  CHECK(travels_mm->size() == 41);
+  const std::string csv = csvAtTravels(*travels_mm, *graph);
+  CHECK_THAT(csv, Catch::EndsWith("\npress,4,0.7\n"));
+  CHECK(travelsWithin({4}, *graph).ok());
+  CHECK_FALSE(travelsWithin({4.01}, *graph).ok());
+  // An end between two steps stays where it is.
+  const auto coarse_mm = travelsAtEach(1.5, *graph);
+  REQUIRE(coarse_mm.ok());
+  CHECK(*coarse_mm == std::vector<double>{0, 1.5, 3, 3.99976856638});
 }
 
 TEST_CASE("a press alone is a graph without release") {
