@@ -25,7 +25,7 @@ Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const Q
 Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& graph,
                                         const DisplayUnits& units);
 
-/// Key of the text in a PNG that holds the button, as its file would.
+/// Key of the text in a PNG that holds the button, without notes, versions and page.
 inline const QString buttonInPicture = QStringLiteral("detent-button");
 /// A picture with its button inside: Detent opens the button, not the picture.
 Result<Done> exportButtonPng(QImage picture, const Button& button, const QString& path);

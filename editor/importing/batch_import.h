@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Imports every graph of many files in the background, as detent-import --batch does.
+// Imports every graph of many files in the background, in threads of the editor.
 
 #include <atomic>
 #include <memory>

@@ -23,9 +23,8 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
              std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),
              std::make_unique<ZoomTool>(context_),    std::make_unique<MeasureTool>(context_)} {
   canvas_.setEvents(this);
-  // The start of the drag no longer exists.
-  connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);
-  connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::cancelDrag);
+  connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::graphReplaced);
+  connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::graphReplaced);
   connect(&document.history(), &EditHistory::refused, this,
           [this](const Failure& why) { emit said(sentenceOf(why, context_.settings.units())); });
 }
@@ -49,11 +48,18 @@ void ToolBox::cancelDrag() {
   currentTool().dragCancelled();
 }
 
+// The start of a drag and the places of a measurement no longer exist.
+void ToolBox::graphReplaced() {
+  cancelDrag();
+  if (canvas_.feedback().measured) currentTool().leave();
+}
+
 bool ToolBox::pointerPressed(const PointerInput& input) {
   if (input.button == Qt::RightButton && !drag_.running()) {
-    // The menu refers to the mark under the pointer.
+    // The menu refers to the mark under the pointer, or to that of the label there.
     const auto marks = marksAt(canvas_, input.at_px);
-    if (!marks.empty()) canvas_.setSelected(marks.front().id);
+    const auto mark = marks.empty() ? canvas_.flagAt(input.at_px) : std::optional(marks.front().id);
+    if (mark) canvas_.setSelected(mark);
     return true;
   }
   if (input.button == Qt::LeftButton) leftDown_ = true;

@@ -46,6 +46,7 @@ class ToolBox : public QObject, public CanvasEvents {
   void contextMenuRequested(QPoint global_px);
 
  private:
+  void graphReplaced();
   Tool& currentTool() { return *tools_[static_cast<std::size_t>(current_)]; }
 
   GraphCanvas& canvas_;

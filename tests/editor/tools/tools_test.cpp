@@ -35,6 +35,7 @@ class ToolsTest : public QObject {
   void aDragShowsWhatItChanges();
   void measuresBetweenPoints();
   void measuresTheCurveBesideASlopeHandle();
+  void aMeasurementEndsWithItsGraph();
   void escapeCancelsADragExactly();
   void refusedMoveStopsAtTheLimit();
   void undoInTheMiddleOfADragEndsIt();
@@ -103,6 +104,9 @@ void ToolsTest::aLabelMovesItsPoint() {
   constexpr double away_px = 20;  // label above the point
   const QPointF label = rig.pixel(peak) - QPointF(0, away_px);
   QVERIFY(rig.canvas().flagAt(label) && *rig.canvas().flagAt(label) == peak);
+  rig.mouse(QEvent::MouseButtonPress, label, Qt::RightButton);  // the menu is about it
+  rig.mouse(QEvent::MouseButtonRelease, label, Qt::RightButton);
+  QVERIFY(rig.canvas().selected() == peak);
   const TactilePoint before = tactilePoints(rig.press(), Stroke::press).front();
   const double pxPerN = std::abs(rig.canvas().mapping().pxPerY);
   rig.drag(label, label - QPointF(0, 12), Qt::ControlModifier);
@@ -203,6 +207,20 @@ void ToolsTest::measuresTheCurveBesideASlopeHandle() {
   rig.drag(*place, *place + QPointF(0, -120));
   const CurvePoint from = rig.canvas().feedback().measured->from;
   QVERIFY(near(from.force_N, rig.press().force_N(from.displacement_mm), 1e-6));
+}
+
+void ToolsTest::aMeasurementEndsWithItsGraph() {
+  WorkspaceRig rig(require(selfLockingButton()));
+  rig.action("toolMeasure")->trigger();
+  const auto measured = [&] { return rig.canvas().feedback().measured.has_value(); };
+  rig.drag({200, 200}, {260, 250}, Qt::ControlModifier);
+  QVERIFY(measured());
+  rig.document.setActiveState(1);
+  QVERIFY(!measured());
+  rig.drag({200, 200}, {260, 250}, Qt::ControlModifier);
+  QVERIFY(measured());
+  rig.document.history().apply(require(scaleForce(rig.button(), 2)), "twice");
+  QVERIFY(!measured());
 }
 
 void ToolsTest::escapeCancelsADragExactly() {
