@@ -26,6 +26,9 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
   // The start of the drag no longer exists.
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);
   connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::cancelDrag);
+  connect(&document, &ButtonDocument::changed, this, [this] {
+    if (!context_.busy()) saySelected(context_);
+  });
   connect(&document.history(), &EditHistory::refused, this,
           [this](const Failure& why) { emit said(sentenceOf(why, context_.settings.units())); });
 }
