@@ -382,6 +382,11 @@ void PressPad::paintCap(QPainter& painter) const {
   painter.drawText(text, Qt::AlignHCenter | Qt::AlignBottom, below);
 }
 
+// Lights without an event of the engine, too: not every curve ends in a bottom-out.
+bool PressPad::isAtEnd() const {
+  return motion_.pressed && button_ && motion_.displacement_mm >= button_->end_mm;
+}
+
 void PressPad::paintReadout(QPainter& painter) const {
   const GraphColors colors = graphColors(isDark(palette()));
   const DisplayUnits& units = settings_.units();
@@ -393,7 +398,7 @@ void PressPad::paintReadout(QPainter& painter) const {
   const Light lights[] = {
       {tr("contact"), colors.operatingPoint, motion_.contact ? 1.0 : 0.0},
       {tr("jump"), colors.tactilePoint, std::max(lampGlow(Lamp::pressJump), lampGlow(Lamp::releaseJump))},
-      {tr("bottom-out"), colors.refused, lampGlow(Lamp::bottomOut)}};
+      {tr("bottom-out"), colors.refused, isAtEnd() ? 1.0 : lampGlow(Lamp::bottomOut)}};
   painter.setFont(scaled(font(), 0.8));
   const QFontMetricsF metrics = painter.fontMetrics();
   double width_px = 0;

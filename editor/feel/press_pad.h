@@ -93,6 +93,7 @@ class PressPad : public QWidget {
   void paintReadout(QPainter& painter) const;
   double depthShare(double displacement_mm) const;
   double lampGlow(Lamp lamp) const;
+  bool isAtEnd() const;
 
   ViewSettings& settings_;
   std::optional<PadButton> button_;

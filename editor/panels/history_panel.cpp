@@ -12,7 +12,9 @@ HistoryPanel::HistoryPanel(ButtonDocument& document, QWidget* parent)
   view_->setObjectName(QStringLiteral("historyView"));
   view_->setAccessibleName(tr("Steps of this button"));
   view_->setToolTip(tr("Every step since the button was opened; click one to go there."));
-  view_->setEmptyLabel(document.path().isEmpty() ? tr("New") : tr("Opened"));
+  view_->setEmptyLabel(!document.path().isEmpty()       ? tr("Opened")
+                       : document.button().provenance() ? tr("Imported")
+                                                        : tr("New"));
   view_->setAlternatingRowColors(true);
   view_->setUniformItemSizes(true);
   view_->setTabKeyNavigation(false);  // Tab leaves the list, arrows move in it

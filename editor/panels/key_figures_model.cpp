@@ -196,8 +196,11 @@ void KeyFiguresModel::takeAhead(const TargetOutcome& outcome) {
 void KeyFiguresModel::take() {
   if (!previewed_ || document_.history().dragging()) return;
   const Button next = *previewed_;
+  QStringList changes;
+  for (std::size_t i = 0; i < keyFigureCount; ++i)
+    if (wanted_[i]) changes << changeOf(static_cast<KeyFigure>(i), *wanted_[i]);
   giveUp();
-  document_.history().apply(next, tr("Set key figures"));
+  document_.history().apply(next, tr("Set: %1").arg(changes.join(QStringLiteral(", "))));
 }
 
 void KeyFiguresModel::giveUp() {
@@ -219,6 +222,11 @@ QString KeyFiguresModel::shown(double value, KeyFigure which, bool exact) const 
   if (quantity == Quantity::number) return numberText(value, digits);
   if (exact) return quantityText(value, quantity, settings_.units(), digits);
   return readText(value, quantity, settings_.units(), readingErrorOf(document_.button()), digits);
+}
+
+QString KeyFiguresModel::changeOf(KeyFigure which, double value) const {
+  return QStringLiteral("%1 %2").arg(termOf(which),
+                                     quantityWithUnit(value, quantityOf(which), settings_.units()));
 }
 
 QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
@@ -394,11 +402,11 @@ void KeyFiguresModel::takeTyped(const TargetOutcome& outcome) {
   // it.
   if (document_.history().dragging())
     return QTimer::singleShot(figuresDragPause_ms, this, &KeyFiguresModel::solveNext);
-  const KeyFigure which = typed_.front().figure;
+  const auto [which, value, state] = typed_.front();
   typed_.pop_front();
   if (outcome.button) {
     emit accepted();
-    document_.history().apply(*outcome.button, tr("Set: %1").arg(termOf(which)));
+    document_.history().apply(*outcome.button, tr("Set: %1").arg(changeOf(which, value)));
   } else {
     emit refused(index(static_cast<int>(which), now),
                  sentenceOf(outcome.conflict->failure, settings_.units()));

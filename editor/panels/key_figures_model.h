@@ -90,6 +90,8 @@ class KeyFiguresModel : public QAbstractTableModel {
   void solveAhead();
   const ButtonState& state() const;
   QString shown(double value, KeyFigure which, bool exact) const;
+  /// "Tactile drop 20 cN", for the history.
+  QString changeOf(KeyFigure which, double value) const;
   std::vector<FigureTarget> kept() const;
   bool setNow(const QModelIndex& index, const QString& text);
   bool setWanted(const QModelIndex& index, const QString& text);

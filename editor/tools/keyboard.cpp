@@ -109,9 +109,6 @@ bool Keyboard::nudge(int key, Qt::KeyboardModifiers modifiers) {
   }
   const CurvePoint to{at->displacement_mm + right * nudge_mm, at->force_N + up * nudge_N};
   apply(moveMark(button, state, {id, *at}, to), moveLabel(id), mergeKey);
-  if (const auto now = placeOf(id, context_.canvas.state(), context_.canvas.values());
-      now && !context_.canvas.feedback().refused)
-    context_.say(describe({id, *now}, context_.settings.units()));
   return true;
 }
 

@@ -217,20 +217,19 @@ void SelectTool::takeBeneath(const PointerInput& input) {
   }
 }
 
-// Updates the status, which named the position before the drag.
-void SelectTool::sayWhereItStands() {
-  const GraphCanvas& canvas = context_.canvas;
-  if (canvas.selection().size() != 1) return;
-  const MarkId mark = canvas.selection().front();
-  if (const auto at = placeOf(mark, canvas.state(), canvas.values()))
-    context_.say(describe({mark, *at}, context_.settings.units()));
+void saySelected(const ToolContext& context) {
+  const GraphCanvas& canvas = context.canvas;
+  const auto mark = canvas.selected();
+  if (!mark || canvas.feedback().refused) return;
+  if (const auto at = placeOf(*mark, canvas.state(), canvas.values()))
+    context.say(describe({*mark, *at}, context.settings.units()));
 }
 
 bool SelectTool::released(const PointerInput& input) {
   if (input.button != Qt::LeftButton || holding_ == Holding::nothing) return false;
   if (context_.drag.running()) {
     context_.drag.finish();
-    sayWhereItStands();
+    saySelected(context_);
   } else if (!travelled_ && holding_ == Holding::emptySpace && !adding_) {
     context_.canvas.setSelected({});
   } else if (!travelled_ && wasSelected_ && !adding_ && context_.canvas.selection().size() > 1) {

@@ -29,7 +29,6 @@ class SelectTool : public Tool {
   void beginDrag(const PointerInput& input);
   void beginGroupDrag();
   void takeBeneath(const PointerInput& input);
-  void sayWhereItStands();
   void toggleHeld();
   void bandTo(const PointerInput& input);
 
@@ -43,5 +42,8 @@ class SelectTool : public Tool {
   CurvePoint pressedAt_;
   bool travelled_ = false;
 };
+
+/// Reports the selected mark and its present place; nothing without exactly one.
+void saySelected(const ToolContext& context);
 
 }  // namespace detent::editor

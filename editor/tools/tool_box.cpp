@@ -25,6 +25,9 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
   canvas_.setEvents(this);
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::graphReplaced);
   connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::graphReplaced);
+  connect(&document, &ButtonDocument::changed, this, [this] {
+    if (!context_.busy()) saySelected(context_);
+  });
   connect(&document.history(), &EditHistory::refused, this,
           [this](const Failure& why) { emit said(sentenceOf(why, context_.settings.units())); });
 }

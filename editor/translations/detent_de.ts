@@ -5863,6 +5863,10 @@ Lizenz: %3</translation>
         <source>Opened</source>
         <translation>Geöffnet</translation>
     </message>
+    <message>
+        <source>Imported</source>
+        <translation>Importiert</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ImportDialog</name>
@@ -6263,10 +6267,6 @@ Lizenz: %3</translation>
     <message>
         <source>Area between press and release: the energy lost in one actuation.</source>
         <translation>Fläche zwischen Hinweg und Rückweg: die Energie, die eine Betätigung kostet.</translation>
-    </message>
-    <message>
-        <source>Set key figures</source>
-        <translation>Kennzahlen setzen</translation>
     </message>
     <message>
         <source>Key figure</source>

@@ -207,6 +207,17 @@ class PressPadTest : public QObject {
     rig.pad.grab();
   }
 
+  /// The curve of someButton() has no bottom-out, so that the engine reports none.
+  void theLampOfTheBottomOutIsOnAtTheEnd() {
+    Rig rig;
+    const auto drawn = [&](double displacement_mm) {
+      rig.pad.setMotion({displacement_mm, 0.5, true, false, false});
+      return rig.pad.grab().toImage().copy(0, 0, rig.pad.width(), 30);
+    };
+    const QImage before = drawn(someButton().end_mm - 0.01);
+    QVERIFY(drawn(someButton().end_mm) != before);
+  }
+
   void drawsAtTheExtremes() {
     Rig rig;
     PadButton flat = someButton();

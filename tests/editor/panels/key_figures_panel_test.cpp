@@ -130,6 +130,10 @@ void KeyFiguresPanelTest::aTypedFigureIsOneStepAndMovesNothingElse() {
   const KeyFigures before = keyFiguresOf(rig.button().states()[0]);
   QVERIFY(typed(panel.model(), KeyFigure::peakForce, KeyFiguresModel::now, "+12 gf"));
   QCOMPARE(rig.steps(), 1);
+  const double raised_gf = *before.values[static_cast<std::size_t>(KeyFigure::peakForce)] / gramForce_N + 12;
+  QCOMPARE(
+      rig.document.history().stack().undoText(),
+      "Set: Peak force " + quantityWithUnit(raised_gf * gramForce_N, Quantity::force, rig.settings.units()));
   const KeyFigures after = keyFiguresOf(rig.button().states()[0]);
   using enum KeyFigure;
   QVERIFY(std::abs(*after[peakForce] - *before[peakForce] - 12 * gramForce_N) < 1e-6);
@@ -180,6 +184,7 @@ void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   QVERIFY(!take->isEnabled());
   QCOMPARE(QApplication::focusWidget(), panel.findChild<QTableView*>());
   QCOMPARE(rig.steps(), 1);
+  QCOMPARE(rig.document.history().stack().undoText(), "Set: Snap ratio 40 %, Total travel 3.6 mm");
   QVERIFY(!model.preview());
   QVERIFY(!model.anyWanted());
   QVERIFY(std::abs(valueOf(rig, snapRatio) - 0.4) < 1e-4);

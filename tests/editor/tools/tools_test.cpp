@@ -272,6 +272,11 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   const TactilePoint moved = rig.canvas().values().press.tactile[0];
   const Mark now{{MarkKind::tactilePoint, Stroke::press, 0}, {moved.displacement_mm, moved.force_N}};
   QCOMPARE(said.last().at(0).toString(), describe(now, rig.settings.units()));
+  // A step from elsewhere, such as a typed force, is reported, too.
+  rig.document.history().stack().undo();
+  const TactilePoint back = rig.canvas().values().press.tactile[0];
+  const Mark before{now.id, {back.displacement_mm, back.force_N}};
+  QCOMPARE(said.last().at(0).toString(), describe(before, rig.settings.units()));
 }
 
 void ToolsTest::undoInTheMiddleOfADragEndsIt() {

@@ -79,7 +79,10 @@ TEST_CASE("A hint runs the steps that depend on it and no others") {
 }
 
 TEST_CASE("A graph with exchanged or uneven axes is refused by that name before its curves are traced") {
-  if (!TextReader::available()) return WARN("SKIPPED: no Tesseract language data");
+  if (!TextReader::available()) {
+    WARN("SKIPPED: no Tesseract language data");
+    return;
+  }
   PlotStyle s;
   DoubtCode expected = DoubtCode::axesExchanged;
   SECTION("exchanged") {
