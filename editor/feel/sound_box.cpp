@@ -19,6 +19,7 @@ namespace {
 
 constexpr double gainStepsPer_dB = 2;  // of the slider
 constexpr double figuresEvery_s = 0.25;
+constexpr int mostStatusLines = 4;
 
 QString withMinus(QString number) { return number.replace('-', QChar(0x2212)); }
 
@@ -94,9 +95,15 @@ QLayout* SoundBox::statusRow() {
   status_ = wrappingLabel("soundStatus");
   again_ = described(new QPushButton(tr("Try again")), "soundAgain", tr("Open the sound device once more"));
   connect(again_, &QPushButton::clicked, &session_.player(), &FeelPlayer::startSound);
+  // Room for the longest words, so that the controls below do not move when they appear.
+  status_->setMinimumHeight(mostStatusLines * status_->fontMetrics().lineSpacing());
+  status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  QSizePolicy kept = again_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  again_->setSizePolicy(kept);
   auto* row = new QHBoxLayout;
   row->addWidget(status_, 1);
-  row->addWidget(again_);
+  row->addWidget(again_, 0, Qt::AlignTop);
   return row;
 }
 

@@ -130,8 +130,9 @@ void ComparePlot::showDifferences(bool shown) {
 void ComparePlot::drawCurves() {
   clearPlottables();
   const bool dark = isDark(palette());
+  // The press lies above the release, as in the editor: of their common bottom-out the press is seen.
   for (std::size_t i = 0; i < graphs_.size(); ++i)
-    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    for (const Stroke stroke : {Stroke::release, Stroke::press}) {
       const auto& [name, graph] = graphs_[i];
       if (stroke == Stroke::release && !graph.release()) continue;
       auto* curve = new QCPCurve(xAxis, yAxis);
@@ -147,6 +148,8 @@ void ComparePlot::drawCurves() {
   xAxis->setRangeUpper(xAxis->range().upper + roomBeyondBottomOut * xAxis->range().size());
   yAxis->rescale();
   yAxis->scaleRange(1.1);
+  yAxis->setRangeLower(
+      std::min(0.0, yAxis->range().lower));  // from 0, so that differences appear in proportion
   if (differences_) drawDifferences();
 }
 

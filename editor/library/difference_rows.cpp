@@ -101,7 +101,10 @@ void addStroke(Rows& rows, const QString& name, bool press, const Strokes& strok
              ifThere<StrokeMetrics>(startForce));
   else
     add(Differences::tr("force at the start of the travel"), Measure::force, startForce);
-  add(Differences::tr("largest force"), Measure::force, [](const StrokeMetrics& s) { return s.maxForce_N; });
+  // The release begins at the force that the press ends with: that is no figure of its own.
+  if (press)
+    add(Differences::tr("largest force"), Measure::force,
+        [](const StrokeMetrics& s) { return s.maxForce_N; });
   add(Differences::tr("initial slope"), Measure::slope, firstSlope);
   add(Differences::tr("tactile points"), Measure::count,
       [](const StrokeMetrics& s) { return static_cast<double>(s.tactile.size()); });

@@ -75,8 +75,8 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   makeViewActions();
   // Single keys, and keys that lists and text fields use themselves, work while the focus is in the
   // workspace; all others anywhere in the window.
-  for (const auto* actions : {&toolActions_, &editActions_, &viewActions_})
-    for (QAction* action : *actions) {
+  for (const auto& actions : {toolActions_, editActions(), viewActions_})
+    for (QAction* action : actions) {
       action->setShortcutContext(isOfTheWindow(action->shortcut()) ? Qt::WindowShortcut
                                                                    : Qt::WidgetWithChildrenShortcut);
       addAction(action);
@@ -195,57 +195,57 @@ void GraphWorkspace::makeToolActions() {
 }
 
 void GraphWorkspace::makeEditActions() {
-  deleteAction_ = described(new QAction(tr("&Delete"), this), "editDelete",
-                            tr("Removes the selected knot, jump, operating or reset point"));
-  deleteAction_->setShortcut(QKeySequence::Delete);
-  connect(deleteAction_, &QAction::triggered, this, [this] { tools_->keyboard().removeSelected(); });
-  cornerAction_ = described(new QAction(tr("&Corner or smooth"), this), "editCorner",
-                            tr("Turns the selected knot into a corner, or smooths it"));
-  cornerAction_->setShortcut(Qt::Key_C);
-  connect(cornerAction_, &QAction::triggered, this, [this] { tools_->keyboard().toggleSelectedCorner(); });
-  makeSelectionActions();
-  editActions_ += {deleteAction_, cornerAction_};
-  addSeparator(editActions_);
-  editActions_ += operations_->actions();
-}
-
-QAction* GraphWorkspace::addEditAction(const char* name, const QString& text, const QString& tip,
-                                       const QKeySequence& key, const std::function<void()>& act) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(QString::fromLatin1(name));
-  action->setToolTip(
-      key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, act);
-  editActions_.push_back(action);
-  return action;
-}
-
-void GraphWorkspace::makeSelectionActions() {
   Keyboard& hands = tools_->keyboard();
-  cutAction_ = addEditAction("editCut", tr("Cu&t"), tr("Copies the selected points as text and removes them"),
-                             QKeySequence::Cut, [this, &hands] {
+  cutAction_ = addEditAction(clipboard, "editCut", tr("Cu&t"),
+                             tr("Copies the selected points as text and removes them"), QKeySequence::Cut,
+                             [this, &hands] {
                                copySelected();
                                hands.removeSelected();
                              });
-  addEditAction("editCopy", tr("&Copy"),
+  addEditAction(clipboard, "editCopy", tr("&Copy"),
                 tr("Copies the selected part of the curve as text, or the whole button"), QKeySequence::Copy,
                 [this] { copySelected(); });
-  addEditAction("editSelectAll", tr("Select &all"), tr("Selects all knots, operating and reset point"),
-                QKeySequence::SelectAll, [&hands] { hands.selectAll(); });
+  deleteAction_ = addEditAction(selection, "editDelete", tr("&Delete"),
+                                tr("Removes the selected knot, jump, operating or reset point"),
+                                QKeySequence::Delete, [&hands] { hands.removeSelected(); });
+  addEditAction(selection, "editSelectAll", tr("Select &all"),
+                tr("Selects all knots, operating and reset point"), QKeySequence::SelectAll,
+                [&hands] { hands.selectAll(); });
+  cornerAction_ = addEditAction(arrangement, "editCorner", tr("&Corner or smooth"),
+                                tr("Turns the selected knot into a corner, or smooths it"), Qt::Key_C,
+                                [&hands] { hands.toggleSelectedCorner(); });
   severalActions_ = {
-      addEditAction("editAlignForce", tr("Align to the same &force"),
+      addEditAction(arrangement, "editAlignForce", tr("Align to the same &force"),
                     tr("Brings the selected knots to the force of the last one"), QKeySequence("Alt+Shift+F"),
                     [&hands] { hands.align(GraphDirection::force); }),
-      addEditAction("editAlignDisplacement", tr("Align to the same &displacement"),
+      addEditAction(arrangement, "editAlignDisplacement", tr("Align to the same &displacement"),
                     tr("Brings the selected knots to the displacement of the last one"),
                     QKeySequence("Alt+Shift+D"), [&hands] { hands.align(GraphDirection::displacement); }),
-      addEditAction("editDistributeDisplacement", tr("Distribute over d&isplacement"),
+      addEditAction(arrangement, "editDistributeDisplacement", tr("Distribute over d&isplacement"),
                     tr("Puts the selected knots of a stroke at equal distances"), QKeySequence("Alt+Shift+X"),
                     [&hands] { hands.distribute(GraphDirection::displacement); }),
-      addEditAction("editDistributeForce", tr("Distribute over f&orce"),
+      addEditAction(arrangement, "editDistributeForce", tr("Distribute over f&orce"),
                     tr("Puts the selected knots of a stroke at equal steps of force"),
                     QKeySequence("Alt+Shift+Y"), [&hands] { hands.distribute(GraphDirection::force); })};
+  editActions_[operations] = operations_->actions();
+}
+
+QAction* GraphWorkspace::addEditAction(EditGroup group, const char* name, const QString& text,
+                                       const QString& tip, const QKeySequence& key,
+                                       const std::function<void()>& act) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(QString::fromLatin1(name));
+  action->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, act);
+  editActions_[group].push_back(action);
+  return action;
+}
+
+QList<QAction*> GraphWorkspace::editActions() const {
+  QList<QAction*> all;
+  for (const QList<QAction*>& group : editActions_) all += group;
+  return all;
 }
 
 void GraphWorkspace::copySelected() {

@@ -40,8 +40,16 @@ class GraphWorkspace : public QWidget {
 
   /// Checkable, exclusive: select, add knot, add jump, pan.
   QList<QAction*> toolActions() const { return toolActions_; }
-  /// Delete, corner or smooth, and the operations, with shortcuts and tool tips. Includes separators.
-  QList<QAction*> editActions() const { return editActions_; }
+  /// Groups of the edit actions, all with shortcuts and tool tips.
+  enum EditGroup {
+    clipboard,    ///< cut, copy
+    selection,    ///< delete, select all
+    arrangement,  ///< corner or smooth, align, distribute
+    operations    ///< includes separators
+  };
+  static constexpr int editGroups = operations + 1;
+  QList<QAction*> editActions(EditGroup group) const { return editActions_[group]; }
+  QList<QAction*> editActions() const;
   /// Fit, zoom, second view, damping, residuals, magnifier, handles, snapping. Includes separators.
   QList<QAction*> viewActions() const { return viewActions_; }
 
@@ -73,9 +81,8 @@ class GraphWorkspace : public QWidget {
   QWidget* makeBar();
   void makeToolActions();
   void makeEditActions();
-  void makeSelectionActions();
-  QAction* addEditAction(const char* name, const QString& text, const QString& tip, const QKeySequence& key,
-                         const std::function<void()>& act);
+  QAction* addEditAction(EditGroup group, const char* name, const QString& text, const QString& tip,
+                         const QKeySequence& key, const std::function<void()>& act);
   void makeViewActions();
   QAction* addViewAction(const QString& name, const QString& text, const QString& tip,
                          const QKeySequence& key = {});
@@ -102,7 +109,8 @@ class GraphWorkspace : public QWidget {
   QLabel* speedsLabel_ = nullptr;
   QLabel* underlayLabel_ = nullptr;
   QSlider* underlay_ = nullptr;
-  QList<QAction*> toolActions_, editActions_, viewActions_;
+  QList<QAction*> toolActions_, viewActions_;
+  std::array<QList<QAction*>, editGroups> editActions_;
   QList<QAction*> severalActions_;  ///< require several selected points
   QAction *cutAction_ = nullptr, *deleteAction_ = nullptr, *cornerAction_ = nullptr, *dampingShown_ = nullptr,
           *residualsShown_ = nullptr, *snapGrid_ = nullptr, *snapTraced_ = nullptr, *snapOther_ = nullptr;

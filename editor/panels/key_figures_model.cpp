@@ -335,15 +335,17 @@ QString KeyFiguresModel::absenceOf(const QModelIndex& index) const {
     case preTravel:
     case operatingForce:
     case overTravel:
-      return tr("No operating point is set. Set it in Edit > Operating and reset point (Ctrl+Shift+O).");
+      return tr(
+          "No operating point is set. Set it in Edit > Curve > Operating and reset point (Ctrl+Shift+O).");
     case resetTravel:
     case resetForce:
-      return tr("No reset point is set. Set it in Edit > Operating and reset point (Ctrl+Shift+O).");
+      return tr("No reset point is set. Set it in Edit > Curve > Operating and reset point (Ctrl+Shift+O).");
     case differentialTravel:
       return tr(
-          "Needs an operating point and a reset point: Edit > Operating and reset point (Ctrl+Shift+O).");
+          "Needs an operating point and a reset point: Edit > Curve > Operating and reset point "
+          "(Ctrl+Shift+O).");
     case hysteresis:
-      return tr("The button has no release curve. Add one with Edit > Mirror press to release.");
+      return tr("The button has no release curve. Add one with Edit > Curve > Mirror press to release.");
     case peakForce:
     case peakTravel:
     case valleyForce:
@@ -352,7 +354,8 @@ QString KeyFiguresModel::absenceOf(const QModelIndex& index) const {
     case snapRatio:
     case slopeOfDrop:
     case slopeToBottomOut:
-      if (!hasPeak) return tr("The press has no tactile point. Add one with Edit > Add jump (Ctrl+Shift+J).");
+      if (!hasPeak)
+        return tr("The press has no tactile point. Add one with Edit > Curve > Add jump (Ctrl+Shift+J).");
       break;
     default:
       break;

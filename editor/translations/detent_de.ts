@@ -6277,26 +6277,6 @@ Lizenz: %3</translation>
         <translation>Setzen: %1</translation>
     </message>
     <message>
-        <source>No operating point is set. Set it in Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
-        <translation>Es ist kein Schaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
-    </message>
-    <message>
-        <source>No reset point is set. Set it in Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
-        <translation>Es ist kein Rückschaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
-    </message>
-    <message>
-        <source>Needs an operating point and a reset point: Edit &gt; Operating and reset point (Ctrl+Shift+O).</source>
-        <translation>Braucht Schalt- und Rückschaltpunkt: Bearbeiten &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
-    </message>
-    <message>
-        <source>The button has no release curve. Add one with Edit &gt; Mirror press to release.</source>
-        <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Hinweg zum Rückweg spiegeln hinzu.</translation>
-    </message>
-    <message>
-        <source>The press has no tactile point. Add one with Edit &gt; Add jump (Ctrl+Shift+J).</source>
-        <translation>Der Hinweg hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
-    </message>
-    <message>
         <source>The curve is too short there for a slope or ratio.</source>
         <translation>Die Kurve ist dort zu kurz für eine Steigung oder ein Verhältnis.</translation>
     </message>
@@ -6343,6 +6323,26 @@ Lizenz: %3</translation>
     <message>
         <source>Lock</source>
         <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>No operating point is set. Set it in Edit &gt; Curve &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Es ist kein Schaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Kurve &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>No reset point is set. Set it in Edit &gt; Curve &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Es ist kein Rückschaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Kurve &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>Needs an operating point and a reset point: Edit &gt; Curve &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Braucht Schalt- und Rückschaltpunkt: Bearbeiten &gt; Kurve &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
+    </message>
+    <message>
+        <source>The button has no release curve. Add one with Edit &gt; Curve &gt; Mirror press to release.</source>
+        <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Kurve &gt; Hinweg zum Rückweg spiegeln hinzu.</translation>
+    </message>
+    <message>
+        <source>The press has no tactile point. Add one with Edit &gt; Curve &gt; Add jump (Ctrl+Shift+J).</source>
+        <translation>Der Hinweg hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Kurve &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
     </message>
 </context>
 <context>
@@ -7364,6 +7364,18 @@ Lizenz: %3</translation>
     <message>
         <source>Choose rapid trigger and dead zones, see what the key does, export a C header</source>
         <translation>Rapid Trigger und Totzonen wählen, sehen, was die Taste tut, einen C-Header exportieren</translation>
+    </message>
+    <message>
+        <source>Arran&amp;ge</source>
+        <translation>A&amp;nordnen</translation>
+    </message>
+    <message>
+        <source>Cur&amp;ve</source>
+        <translation>Kur&amp;ve</translation>
+    </message>
+    <message>
+        <source>Copy a&amp;s</source>
+        <translation>Kopieren a&amp;ls</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 // The window of detent-edit: arranges tabs, side panels, menus and keys. Files are opened and saved by
 // FileController.
 
+#include <array>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
@@ -106,6 +107,7 @@ class MainWindow : public QMainWindow {
   void makeHelpActions();
   void makeToolBar();
   void showTabActions(DocumentTab* tab);
+  QList<QAction*> editActions() const;
   void fill(TabMenu& menu, const QList<QAction*>& actions);
   void updateUndo();
   void updateRecent();
@@ -200,7 +202,8 @@ class MainWindow : public QMainWindow {
   QMenu* recentMenu_ = nullptr;
   QMenu* unitMenu_ = nullptr;
   QMenu* buttonMenu_ = nullptr;
-  TabMenu editMenu_, toolMenu_, viewMenu_;
+  std::array<TabMenu, GraphWorkspace::editGroups> editMenus_;
+  TabMenu toolMenu_, viewMenu_;
   QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
   bool sessionHeld_ = true;  ///< do not store the session: no file is open yet, or all are closing

@@ -153,8 +153,7 @@ void MainWindow::makeFileActions() {
 }
 
 void MainWindow::makeEditActions() {
-  editMenu_.menu = menuOf(menuBar(), tr("&Edit"), "editMenu");
-  QMenu* menu = editMenu_.menu;
+  QMenu* menu = menuOf(menuBar(), tr("&Edit"), "editMenu");
   undo_ =
       tabAction("undo", tr("&Undo"), tr("Undo the last step"), QKeySequence("Ctrl+Z"), [](DocumentTab& tab) {
         EditHistory& history = tab.document().history();
@@ -168,22 +167,35 @@ void MainWindow::makeEditActions() {
   menu->addAction(undo_);
   menu->addAction(redo_);
   menu->addSeparator();
-  menu->addAction(
+  QAction* paste =
       action("paste", tr("&Paste"),
              tr("Import the picture or file on the clipboard, or paste copied points or a copied button"),
-             QKeySequence("Ctrl+V"), [this] { paste(); }));
+             QKeySequence("Ctrl+V"), [this] { this->paste(); });
+  menu->addAction(paste);
   menu->addAction(tabAction("duplicate", tr("&Duplicate"), tr("Open a copy of this button in a new tab"),
                             QKeySequence("Ctrl+D"), [this](DocumentTab& tab) { duplicateButton(tab); }));
-  menu->addAction(tabAction("copyPicture", tr("&Copy as picture"), tr("Copy a picture of the graph"),
-                            QKeySequence("Ctrl+Shift+C"), [this](DocumentTab& tab) { copyPicture(tab); }));
-  menu->addAction(tabAction("copyCsv", tr("Copy as C&SV"), tr("Copy samples of the state shown, in mm and N"),
-                            QKeySequence("Ctrl+Alt+C"), [this](DocumentTab& tab) { copyCsv(tab); }));
-  menu->addAction(tabAction("copyFigures", tr("Copy key fi&gures"),
-                            tr("Copy the key figures as a table for spreadsheets, in the units shown"),
-                            QKeySequence("Ctrl+Alt+G"), [this](DocumentTab& tab) { copyFigures(tab); }));
+  editMenus_[GraphWorkspace::clipboard] = {menu, paste, {}};
+  editMenus_[GraphWorkspace::selection] = {menu, menu->addSeparator(), {}};
+  const auto submenu = [menu](const QString& title, const char* name) {
+    QMenu* made = menu->addMenu(title);
+    made->setObjectName(name);
+    made->setToolTipsVisible(true);
+    return made;
+  };
+  editMenus_[GraphWorkspace::arrangement].menu = submenu(tr("Arran&ge"), "arrangeMenu");
+  editMenus_[GraphWorkspace::operations].menu = submenu(tr("Cur&ve"), "curveMenu");
+  QMenu* copies = submenu(tr("Copy a&s"), "copyMenu");
+  copies->addAction(tabAction("copyPicture", tr("&Copy as picture"), tr("Copy a picture of the graph"),
+                              QKeySequence("Ctrl+Shift+C"), [this](DocumentTab& tab) { copyPicture(tab); }));
+  copies->addAction(tabAction("copyCsv", tr("Copy as C&SV"),
+                              tr("Copy samples of the state shown, in mm and N"), QKeySequence("Ctrl+Alt+C"),
+                              [this](DocumentTab& tab) { copyCsv(tab); }));
+  copies->addAction(tabAction("copyFigures", tr("Copy key fi&gures"),
+                              tr("Copy the key figures as a table for spreadsheets, in the units shown"),
+                              QKeySequence("Ctrl+Alt+G"), [this](DocumentTab& tab) { copyFigures(tab); }));
   menu->addAction(tabAction("rename", tr("Re&name the button…"), tr("Give the button another name"),
                             QKeySequence("F2"), [this](DocumentTab& tab) { renameButton(tab); }));
-  editMenu_.end = menu->addSeparator();
+  menu->addSeparator();
   menu->addAction(action("preferences", tr("Pre&ferences…"), tr("Units, theme, language and layout"),
                          QKeySequence("Ctrl+,"), [this] { showPreferences(); }));
   toolMenu_.menu = menuOf(menuBar(), tr("&Tools"), "toolMenu");
@@ -335,7 +347,10 @@ void MainWindow::fill(TabMenu& menu, const QList<QAction*>& actions) {
 
 void MainWindow::showTabActions(DocumentTab* tab) {
   for (QAction* old : toolMenu_.shown) tools_->removeAction(old);
-  fill(editMenu_, tab ? tab->workspace().editActions() : QList<QAction*>());
+  for (std::size_t i = 0; i < editMenus_.size(); ++i)
+    fill(editMenus_[i], tab ? tab->workspace().editActions(GraphWorkspace::EditGroup(i)) : QList<QAction*>());
+  for (const auto group : {GraphWorkspace::arrangement, GraphWorkspace::operations})
+    editMenus_[group].menu->menuAction()->setVisible(tab != nullptr);
   fill(toolMenu_, tab ? tab->workspace().toolActions() : QList<QAction*>());
   fill(viewMenu_, tab ? tab->workspace().viewActions() : QList<QAction*>());
   for (QAction* tool : toolMenu_.shown)
@@ -391,7 +406,13 @@ void MainWindow::fillReferences(QMenu& menu) {
 }
 
 QList<QAction*> MainWindow::allActions() const {
-  return ownActions_ + editMenu_.shown + toolMenu_.shown + viewMenu_.shown;
+  return ownActions_ + editActions() + toolMenu_.shown + viewMenu_.shown;
+}
+
+QList<QAction*> MainWindow::editActions() const {
+  QList<QAction*> all;
+  for (const TabMenu& part : editMenus_) all += part.shown;
+  return all;
 }
 
 std::vector<ShortcutRow> MainWindow::shortcuts() const {
@@ -401,7 +422,7 @@ std::vector<ShortcutRow> MainWindow::shortcuts() const {
     rows.insert(rows.end(), more.begin(), more.end());
   };
   add(tr("Tools"), toolMenu_.shown);
-  add(tr("Editing"), editMenu_.shown);
+  add(tr("Editing"), editActions());
   add(tr("View"), viewMenu_.shown);
   return rows;
 }

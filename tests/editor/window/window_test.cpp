@@ -321,6 +321,22 @@ class WindowTest : public QObject {
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
   }
 
+  void theEditMenuHasTheUsualOrder() {
+    Rig rig(folder_->path());
+    const auto* menu = rig.window->findChild<QMenu*>("editMenu");
+    rig.window->files().open({sample("buttons/B.button.json")});
+    QStringList names;
+    for (const QAction* action : menu->actions())
+      if (action->isVisible() && !action->isSeparator())
+        names << (action->menu() ? action->menu()->objectName() : action->objectName());
+    const QStringList usual{"undo",      "redo",       "editCut",       "editCopy",    "paste",
+                            "duplicate", "editDelete", "editSelectAll", "arrangeMenu", "curveMenu",
+                            "copyMenu",  "rename",     "preferences"};
+    QCOMPARE(names, usual);
+    for (const char* part : {"arrangeMenu", "curveMenu", "copyMenu"})
+      QVERIFY2(!rig.window->findChild<QMenu*>(part)->actions().isEmpty(), part);
+  }
+
   void everyActionIsComplete() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
