@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <string>
+#include <vector>
 
 #include "editor/quantity/quantity_field.h"
 #include "playback/magnetic.h"

@@ -2,9 +2,9 @@
 #pragma once
 // A key of a magnetic keyboard as its firmware evaluates it: with fixed points, or with rapid trigger, which
 // follows the direction of the movement. The terms mean what they mean in public firmware: distances and
-// "continuous" as in libhmk (src/matrix.c), minipad-firmware (keypad_handler.cpp) and Wooting's guide to rapid
-// trigger; dead zones as in Cipulot's and byungyoonc's QMK for Hall sensors (he_switch_matrix.c). No code is
-// theirs.
+// "continuous" as in libhmk (src/matrix.c), minipad-firmware (keypad_handler.cpp) and Wooting's guide to
+// rapid trigger; dead zones as in Cipulot's and byungyoonc's QMK for Hall sensors (he_switch_matrix.c). No
+// code is theirs.
 
 #include <limits>
 #include <optional>
