@@ -702,14 +702,10 @@ class Doubts {
         curvesChosen && !(right == RightScale::otherForces && findings_.strokes.value.release);
     if (right != RightScale::none && !settled && !otherScaleHasItsCurve())
       add(DoubtCode::otherScale, unconfirmed, {measureOfRightScale()},
-          ofLeftScale(hints_.trace.pressColor.has_value()));
+          curvesChosen ? graphWithOneScale() : ofLeftScale());
   }
 
-  /// Remedies for a second scale. If a colour was given for both strokes, one of them may be drawn on that
-  /// scale, and drawing it again changes nothing.
-  static Remedies ofLeftScale(bool isChosen) {
-    if (isChosen)
-      return Message("Pick the press on the left scale and no release if that is drawn on the right scale");
+  static Remedies ofLeftScale() {
     return {{RemedyKind::pickPress, {}},
             {RemedyKind::pickRelease, "with the colours of the left scale's curves"}};
   }
@@ -971,6 +967,10 @@ class Doubts {
 };
 
 }  // namespace
+
+Remedies graphWithOneScale() {
+  return Message("Import a graph on which one scale of force holds for press and release");
+}
 
 double worthOf(PageClass pageClass) {
   constexpr double onScans = 0.88, onPhotos = 0.66;  // factors of the confidence

@@ -16,6 +16,9 @@ struct WeighedDoubt {
   double confidence = 0;
 };
 
+/// The advice on a graph with a second scale of forces, where no choice of curves can help.
+Remedies graphWithOneScale();
+
 /// Factor for the confidence of the steps on pages of a class, 0..1. Measured:
 /// docs/measurements/import-confidence.md.
 double worthOf(PageClass pageClass);

@@ -196,11 +196,12 @@ std::optional<Failure> ofOtherQuantities(const LocatedGraph& graph) {
   return failureOf(doubts.front(), {}, "plot frame");
 }
 
-/// The reason why curves make no pair: with a second scale on the right it is that scale.
+/// The reason why curves make no pair: with a second scale of forces it is that scale, and colours that tell
+/// press from release do not tell which scale is theirs.
 Failure ofTwoScales(const Failure& noPair, const LocatedGraph& graph) {
-  if (noPair.reason != nameOf(DoubtCode::tooManyCurves) || graph.axes.rightScale == RightScale::none)
+  if (noPair.reason != nameOf(DoubtCode::tooManyCurves) || graph.axes.rightScale != RightScale::otherForces)
     return noPair;
-  return failureOf({DoubtCode::otherScale, {}, noPair.remedies}, noPair.subject, noPair.place);
+  return failureOf({DoubtCode::otherScale, {}, graphWithOneScale()}, noPair.subject, noPair.place);
 }
 
 /// Axes of one graph: as found in the search of the page, and as read with the present hints.

@@ -89,7 +89,7 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
   cause_->setObjectName(QStringLiteral("confidenceCause"));
   // Widgets that come and go keep their room: the fields below stay where a click is aimed.
   reserveLines(*cause_, 2);
-  for (QWidget* each : std::initializer_list<QWidget*>{sure_, steps_, confirmed_}) {
+  for (QWidget* each : std::initializer_list<QWidget*>{sure_, cause_, steps_, confirmed_}) {
     QSizePolicy keepsRoom = each->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
     each->setSizePolicy(keepsRoom);
@@ -166,6 +166,7 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
   confidence_->setAccessibleDescription(explanation);
   const QString cause = report ? causeOf(*report, settings_.units()) : QString();
   cause_->setText(cause.isEmpty() ? QString() : tr("reason: %1").arg(cause));
+  cause_->setVisible(!cause.isEmpty());
   sure_->setValue(percent);
   sure_->setVisible(report != nullptr);
   confirmed_->setVisible(report && report->doubt && !failed);

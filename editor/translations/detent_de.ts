@@ -10487,8 +10487,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Berichtigen Sie die vorgegebenen Werte, oder geben Sie keine vor, damit die gedruckten Zahlen gelten</translation>
     </message>
     <message>
-        <source>Pick the press on the left scale and no release if that is drawn on the right scale</source>
-        <translation>Wählen Sie als Hinweg die Kurve der linken Skala und keinen Rückweg, wenn dieser zur rechten Skala gehört</translation>
+        <source>Import a graph on which one scale of force holds for press and release</source>
+        <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
     </message>
     <message>
         <source>measures forces too</source>
