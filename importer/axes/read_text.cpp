@@ -2,15 +2,18 @@
 #include "importer/axes/read_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
 #include <tesseract/baseapi.h>
+#include <tesseract/resultiterator.h>
 
 #include "importer/axes/light_model.h"
 #include "importer/frame/darkness.h"
@@ -63,6 +66,17 @@ std::string lettersOf(TextKind kind) {
   return {};
 }
 
+/// Stands for writing that the engine read as one letter although it is wider than the line is high, which no
+/// letter is: the engine reads "荷重 [gf]" as "a [gf]".
+constexpr std::string_view unreadableSign = "\xEF\xBF\xBD";
+
+bool beginsWithSingleLetter(std::string_view text) {
+  const auto isLatin = [&](std::size_t i) {
+    return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+  };
+  return isLatin(0) && !isLatin(1);
+}
+
 /// One engine per thread. LSTM only; dictionaries would turn "gf" into "of".
 class Engine {
  public:
@@ -96,11 +110,21 @@ class Engine {
     const std::unique_ptr<char[]> text(api_->GetUTF8Text());
     if (text) seen.utf8 = model_ ? model_->original(text.get()) : text.get();
     while (!seen.utf8.empty() && (seen.utf8.back() == '\n' || seen.utf8.back() == ' ')) seen.utf8.pop_back();
+    if (kind == TextKind::words && beginsWithSingleLetter(seen.utf8) &&
+        firstSignWidth_px() > grey.rows - 2 * margin_px)
+      seen.utf8.replace(0, 1, unreadableSign);
     seen.confidence = seen.utf8.empty() ? 0 : std::clamp(api_->MeanTextConf() / 100.0, 0.0, mostSure);
     return seen;
   }
 
  private:
+  /// Width of the line's first sign as the engine sees it; 0 without any.
+  int firstSignWidth_px() const {
+    const std::unique_ptr<tesseract::ResultIterator> at(api_->GetIterator());
+    int left = 0, top = 0, right = 0, bottom = 0;
+    return at && at->BoundingBox(tesseract::RIL_SYMBOL, &left, &top, &right, &bottom) ? right - left : 0;
+  }
+
   std::optional<LightModel> model_;  // empty: the engine names letters as they are
   std::unique_ptr<tesseract::TessBaseAPI> api_;
 };

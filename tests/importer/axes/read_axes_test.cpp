@@ -1018,6 +1018,24 @@ TEST_CASE("a small unit in brackets is told by its shape behind letters that the
   CHECK("(" + axes.calibration.value.y.unit + ")" == unit);
 }
 
+TEST_CASE("a sign wider than its line is high is no letter") {
+  if (skipWithoutEngine()) return;
+  const auto readWith = [](double wider) {
+    cv::Mat sign(40, 24, CV_8U, cv::Scalar(255)), line(60, 260, CV_8U, cv::Scalar(255));
+    cv::putText(sign, "B", {2, 32}, cv::FONT_HERSHEY_SIMPLEX, 1, cv::Scalar(0), 2, cv::LINE_AA);
+    cv::resize(sign, sign, cv::Size(), wider, 1, cv::INTER_AREA);
+    sign.copyTo(line(cv::Rect(10, 10, sign.cols, sign.rows)));
+    cv::putText(line, "[gf]", {20 + sign.cols, 42}, cv::FONT_HERSHEY_SIMPLEX, 1, cv::Scalar(0), 2,
+                cv::LINE_AA);
+    const auto document = documentOf(line);
+    const auto view = document.view(document.page(1).value(), {-0.5, -0.5, 259.5, 59.5}).value();
+    TextReader reader(view);
+    return reader.readLine({8, 12, 100.0 + sign.cols, 52}, TextKind::words).utf8;
+  };
+  CHECK(readWith(1).substr(0, 1) == "B");
+  CHECK(readWith(3.5).substr(0, 3) == "\uFFFD");
+}
+
 TEST_CASE("words are read in any quarter turn") {
   if (skipWithoutEngine()) return;
   Canvas c(300, 300, 255);

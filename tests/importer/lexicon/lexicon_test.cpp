@@ -143,6 +143,11 @@ TEST_CASE("the letters of a formula are italic signs of their own", "[lexicon]")
     check(row, TextSource::exact);
 }
 
+TEST_CASE("a sign that no engine could read is no letter of a quantity", "[lexicon]") {
+  check({"\uFFFD [gf]", "gf", "", ""}, TextSource::recognised);
+  check({"\uFFFD (mm)", "", "mm", ""}, TextSource::recognised);
+}
+
 TEST_CASE("code points of every length come back as they were", "[lexicon]") {
   for (const std::string text : {"", "F [N]", "δ°", "荷重 [gf]", "𝑎𝛿", "\U0010FFFF"}) {
     CAPTURE(text);
