@@ -10221,6 +10221,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>the values given for the %1 axis contradict the numbers printed there (%2)</source>
         <translation>die Werte, die für die %1-Achse vorgegeben sind, widersprechen den dort gedruckten Zahlen (%2)</translation>
     </message>
+    <message>
+        <source>Import a graph on which one scale of force holds for press and release</source>
+        <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10254,10 +10258,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Correct the given values, or give none so that the numbers count</source>
         <translation>Berichtigen Sie die vorgegebenen Werte, oder geben Sie keine vor, damit die gedruckten Zahlen gelten</translation>
-    </message>
-    <message>
-        <source>Import a graph on which one scale of force holds for press and release</source>
-        <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
     </message>
 </context>
 <context>
