@@ -10452,6 +10452,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>a second scale on the right %1</source>
         <translation>eine zweite Skala rechts %1</translation>
     </message>
+    <message>
+        <source>Import a graph on which one scale of force holds for press and release</source>
+        <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10485,10 +10489,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Correct the given values, or give none so that the numbers count</source>
         <translation>Berichtigen Sie die vorgegebenen Werte, oder geben Sie keine vor, damit die gedruckten Zahlen gelten</translation>
-    </message>
-    <message>
-        <source>Import a graph on which one scale of force holds for press and release</source>
-        <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
     </message>
     <message>
         <source>measures forces too</source>
