@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "importer/axes/uneven_scale.h"
-
 namespace detent::importer {
 namespace {
 

@@ -24,6 +24,10 @@ struct TickLabel {
   bool agrees = true;      ///< with the ends if any was given, else with the progression
 };
 
+/// Contents of `otherQuantity` for axes that are not divided evenly.
+inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
+inline constexpr char categoriesScale[] = "categories, not to scale";
+
 /// One axis as printed.
 struct AxisReading {
   double min = 0, max = 0;  ///< value at the frame's left/bottom and right/top edge, printed unit
@@ -40,8 +44,8 @@ struct AxisReading {
   std::string title;  ///< as read
   /// labels that agree with one another and contradict the ends that were given, as text
   std::vector<std::string> contradicting;
-  double contradictedBy =
-      0;  ///< confidence in the scale of the labels, if `contradicting` is not empty, 0..1
+  /// confidence in the scale of the labels, if `contradicting` is not empty, 0..1
+  double contradictedBy = 0;
 };
 
 /// Distortion of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight

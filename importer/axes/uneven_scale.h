@@ -10,11 +10,8 @@
 
 namespace detent::importer {
 
-inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
-inline constexpr char categoriesScale[] = "categories, not to scale";
-
-/// The kind of scale of labels at these positions (pixels along the axis, value): one of the two above. Empty
-/// if a linear scale fits, or if there are too few labels.
+/// The kind of scale of labels at these positions (pixels along the axis, value): logarithmicScale or
+/// categoriesScale. Empty if a linear scale fits, or if there are too few labels.
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels);
 
 /// Returns true if gridlines or ticks stand as the logarithms of 1, 2, 3 to 10 do.

@@ -127,7 +127,7 @@ TEST_CASE("curves are flattened within the promised distance") {
   CHECK(worst < 0.005);
 }
 
-TEST_CASE("lines to points far off the page keep their course on it, and end beside it") {
+TEST_CASE("lines to points far off the page stay straight on it, and end beside it") {
   // The page is 200 x 100 points; its surroundings reach from -200 to 400 and from -100 to 200.
   const Box around{-200, -100, 400, 200};
   for (const std::string far : {"1000", "100000", "1000000000", "3000000000", "100000000000000000000"}) {

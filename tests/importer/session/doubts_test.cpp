@@ -161,7 +161,7 @@ TEST_CASE("a unit that no title names is doubted, unless the page confirms it or
   CHECK(import.doubted(DoubtCode::otherQuantity));
 }
 
-TEST_CASE("given ends that contradict printed numbers are asked about, or reported if those are weak") {
+TEST_CASE("given ends that contradict printed numbers are a question, or reported if those are weak") {
   Import import;
   AxisReading& axis = import.graph.axes.calibration.value.x;
   CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLabels));
@@ -675,7 +675,7 @@ TEST_CASE("the doubt about a second scale says what the scale names") {
     Import scales;
     scales.graph.axes.rightScale = row.scale;
     scales.release = {{3.2, 1.6}, {3, 0.6}, {1.5, 0.3}, {0, 0.1}};
-    scales.graph.axes.texts = {{"Time (s)", {20, 250, 40, 350}, 1, 90},   // beside the left axis
+    scales.graph.axes.texts = {{"Time (s)", {20, 250, 40, 350}, 1, 90},  // beside the left axis
                                {"Time (s)", {540, 20, 640, 40}, 1, 0}};  // over the plot
     scales.graph.axes.texts.push_back({row.title, {540, 250, 560, 350}, 1, 90});
     std::vector<std::string> said;
