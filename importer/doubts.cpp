@@ -402,16 +402,14 @@ class Doubts {
 
   const AxisCalibration& axes() const { return findings_.graph.axes.calibration.value; }
 
-  /// Doubts given ends that contradict the printed numbers: one of the two is wrong. Numbers that would not
-  /// be believed without the given ends are only reported.
+  /// Reports given ends that contradict printed numbers which would be believed without them. What is given
+  /// by hand holds all the same.
   void givenAgainstLabels(const char* name, const AxisReading& axis) {
-    if (axis.contradicting.empty()) return;
+    if (axis.contradicting.empty() || axis.contradictedBy < confidenceBar) return;
     std::string labels;
     for (const std::string& each : axis.contradicting) labels += (labels.empty() ? "" : ", ") + each;
-    add(DoubtCode::givenAgainstLabels, axis.contradictedBy >= confidenceBar ? unconfirmed : inPart,
-        {name, labels},
-        {{RemedyKind::advice, Message("Correct the given values, or give none so that the numbers count")},
-         {RemedyKind::acceptAsIs, "if the numbers are misprinted"}});
+    add(DoubtCode::givenAgainstLabels, inPart, {name, labels},
+        {{RemedyKind::advice, Message("Correct the given values, or give none so that the numbers count")}});
   }
 
   void sizes() {

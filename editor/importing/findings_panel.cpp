@@ -88,7 +88,8 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
   connect(confirmed_, &QCheckBox::clicked, &state_, &ImportState::setConfirmed);
   cause_->setObjectName(QStringLiteral("confidenceCause"));
   // Widgets that come and go keep their room: the fields below stay where a click is aimed.
-  for (QLabel* each : {cause_, steps_}) reserveLines(*each, 2);
+  reserveLines(*cause_, 3);
+  reserveLines(*steps_, 2);
   for (QWidget* each : std::initializer_list<QWidget*>{sure_, cause_, steps_, confirmed_}) {
     QSizePolicy keepsRoom = each->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);

@@ -54,8 +54,6 @@ class Walk:
         self.editor.replace_text("yMax", f"{2 * self.found_yMax:g}", dialog)
         self.desktop.key("Tab")
         wait_for("the correction to be read", lambda: self.editor.find("resetY", dialog, enabled=True))
-        # The page prints half of it: that is asked about.
-        self.editor.click("confirmed", dialog)
         self.editor.click("import", dialog)
         self.editor.widget("graphCanvas")
         close_if_open(self.editor, dialog, self.desktop)

@@ -730,7 +730,7 @@ TEST_CASE("an uneven scale is named as the reason even where some of its labels 
     REQUIRE(axes);
     const auto doubts = otherQuantitiesOf(axes->calibration.value);
     REQUIRE(doubts.size() == 1);
-    CHECK(english(messageOf(doubts.front())) == "the x axis measures \"categories, not to scale\"");
+    CHECK(english(messageOf(doubts.front())) == "the x axis has categories in place of a scale");
     CHECK_FALSE(doubts.front().remedies.include(RemedyKind::giveXUnit));  // no unit makes it even
     CHECK_FALSE(doubts.front().remedies.empty());
   }

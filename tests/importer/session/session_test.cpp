@@ -53,11 +53,8 @@ TEST_CASE("A hint runs the steps that depend on it and no others") {
     CHECK(found.seconds.count(step) == 1);
 
   request.hints.axes.xMin = 0, request.hints.axes.xMax = 9;
-  const auto refused = session.importGraph(request);  // the page prints 4.5
-  REQUIRE_FALSE(refused);
-  CHECK(refused.failure().reason == nameOf(DoubtCode::givenAgainstLabels));
-  request.acceptDoubt = true;
-  const ImportReport wider = imported(session, request);
+  const ImportReport wider = imported(session, request);  // the page prints 4.5
+  CHECK(std::ranges::any_of(wider.remarks, [](const Remark& r) { return r.code == RemarkCode::doubted; }));
   CHECK(travel_mm(wider) == Approx(2 * travel_mm(found)).epsilon(1e-3));
   CHECK(wider.seconds.count(ImportStep::axes) == 1);
   for (const ImportStep step : {ImportStep::locate, ImportStep::texts, ImportStep::trace})
@@ -86,7 +83,7 @@ TEST_CASE("A graph with exchanged or uneven axes is refused by that name before 
   PlotStyle s;
   DoubtCode expected = DoubtCode::axesExchanged;
   SECTION("exchanged") {
-    s.xTitle = "Force [gf]", s.yTitle = "Travel [mm]";
+    s.xTitle = "Force [N]", s.yTitle = "Travel [mm]";
     s.xStep = 20, s.yStep = 0.5;
   }
   SECTION("of something else") {
@@ -102,6 +99,7 @@ TEST_CASE("A graph with exchanged or uneven axes is refused by that name before 
   request.acceptDoubt = true;  // no person's word makes a button of it
   const auto attempt = session->attempt(request);
   REQUIRE_FALSE(attempt.report);
+  INFO(english(attempt.report.failure().problem));
   CHECK(attempt.report.failure().reason == nameOf(expected));
   REQUIRE(attempt.evidence);
   CHECK(attempt.evidence->traces.empty());
@@ -115,8 +113,7 @@ TEST_CASE("Hints of a numbered graph do not change which graphs the page has") {
   REQUIRE(before);
   ImportRequest request = firstGraph();
   request.hints.axes = {0, 10, 0, 10, LengthUnit::millimetre, ForceUnit::newton};
-  request.acceptDoubt = true;  // the page prints other numbers
-  CHECK(imported(session, request).x->max == 10);
+  CHECK(imported(session, request).confidence > confidenceBar);
   const auto after = session.list(1);
   REQUIRE(after);
   REQUIRE(after->graphs.size() == before->graphs.size());
