@@ -2855,7 +2855,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>%1 – takes %2 times as long as a draft, error %3 % of the axis</source>
-        <translation>%1 – braucht %2-mal so lange wie ein Entwurf, Fehler %3 % der Achse</translation>
+        <translation>%1 – %2 Mal die Zeit eines Entwurfs, Fehler %3 % der Achse</translation>
     </message>
     <message>
         <source>“%1” is too large, or divides by zero. Type another number.</source>
