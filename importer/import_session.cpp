@@ -188,8 +188,9 @@ std::optional<Failure> stillFalling(const LocatedGraph& graph, const AxisHints& 
                    "plot frame", Message("%1 axis", x ? "x" : "y"));
 }
 
-/// The reason why no button can be read from a graph with these axes: they are exchanged, unevenly divided, or
-/// measure something else, and no unit was given for them. Curves, units and ends need not be known for it.
+/// The reason why no button can be read from a graph with these axes: they are exchanged, unevenly divided,
+/// or measure something else, and no unit was given for them. Curves, units and ends need not be known for
+/// it.
 std::optional<Failure> ofOtherQuantities(const LocatedGraph& graph) {
   const std::vector<Doubt> doubts = otherQuantitiesOf(graph.axes.calibration.value);
   if (doubts.empty()) return {};

@@ -81,9 +81,9 @@ importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double s
 void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
 
 /// The ends that given ticks define. If all given ticks agree with the scale that was found, it is kept:
-/// `foundEnds` are two ticks at the ends of that scale, or none. Otherwise the line through the given ticks, by
-/// least squares; a single given tick is joined with the farthest found one. Nothing if that leaves fewer than
-/// two places or two equal ones.
+/// `foundEnds` are two ticks at the ends of that scale, or none. Otherwise the line through the given ticks,
+/// by least squares; a single given tick is joined with the farthest found one. Nothing if that leaves fewer
+/// than two places or two equal ones.
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
                                       const std::vector<AxisTick>& given, const std::vector<AxisTick>& found,
                                       const std::vector<AxisTick>& foundEnds = {});
