@@ -84,7 +84,8 @@ TEST_CASE("A given tick that agrees with the found ones keeps their scale, exact
   }
   const auto other = with({{{150, 250}, 1.5}});  // contradicts: counts, with the farthest found one
   REQUIRE(other);
-  CHECK(other->max == Approx(3.5).epsilon(1e-3));
+  CHECK(other->min == Approx(1.5 - 50 * 1.5 / 99.9));  // through (150, 1.5) and (249.9, 3)
+  CHECK(other->max == Approx(1.5 + 150 * 1.5 / 99.9));
   const FoundAxes axes{upright, found, {}, ends, {}};
   Corrections corrections;
   corrections.x.ticks = misread;
