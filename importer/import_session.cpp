@@ -202,7 +202,8 @@ std::optional<Failure> ofOtherQuantities(const LocatedGraph& graph) {
 Failure ofTwoScales(const Failure& noPair, const LocatedGraph& graph) {
   if (noPair.reason != nameOf(DoubtCode::tooManyCurves) || graph.axes.rightScale != RightScale::otherForces)
     return noPair;
-  return failureOf({DoubtCode::otherScale, {}, graphWithOneScale()}, noPair.subject, noPair.place);
+  return failureOf({DoubtCode::otherScale, {Message("measures forces too")}, graphWithOneScale()},
+                   noPair.subject, noPair.place);
 }
 
 /// Axes of one graph: as found in the search of the page, and as read with the present hints.

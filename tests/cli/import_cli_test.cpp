@@ -318,6 +318,25 @@ TEST_CASE("--list shows where the graph is and how its axes read") {
   CHECK(graphs[0]["y_axis"]["max"].get<double>() == Approx(100).margin(0.5));
 }
 
+TEST_CASE("curves that make no pair beside a second scale of forces are refused for that scale") {
+  const ProgramFolder folder("import_two_scales");
+  std::string svg = detent::tests::twoSwitchesSvg();
+  svg.erase(svg.find("<line x1='620'"));  // the legend
+  const auto text = [](double y, const std::string& words) {
+    return "<text font-family='sans-serif' font-size='14' x='590' y='" + std::to_string(y) + "'>" + words +
+           "</text>";
+  };
+  for (int i = 0; i <= 6; ++i)
+    svg += text(405 - 60 * i, std::to_string(i * 4 / 10) + "." + std::to_string(i * 4 % 10));
+  svg +=
+      "<text font-family='sans-serif' font-size='14' transform='translate(640,220) rotate(-90)' "
+      "text-anchor='middle'>Force (N)</text></svg>";
+  folder.write("two.svg", svg);
+  const ProgramResult refused = import(folder, {"two.svg"});
+  CHECK(refused.exitCode == 5);
+  CHECK_THAT(refused.err, Catch::Contains("a second scale on the right measures forces too. Import a graph"));
+}
+
 TEST_CASE("--list and the import name what a plot measures in place of a force") {
   const ProgramFolder folder("import_list_other");
   std::string svg = detent::tests::twoSwitchesSvg();
