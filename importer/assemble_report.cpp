@@ -123,8 +123,8 @@ Remedies giveAxes() {
           {RemedyKind::giveFrame, "if the frame was missed"}};
 }
 
-/// The doubt about the axes with its remedies. An axis that measures something else is named whatever else is
-/// uncertain. If both ranges were given, only a unit or the frame can still be wrong.
+/// The doubt about the axes with its remedies. An axis that measures something else is named whatever else
+/// is uncertain. If both ranges were given, only a unit or the frame can still be wrong.
 Doubt axesInDoubt(const GraphFindings& findings, const std::vector<WeighedDoubt>& doubts) {
   const auto& calibration = findings.graph.axes.calibration;
   const bool given = calibration.by == DecidedBy::given;

@@ -136,8 +136,8 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
 
 /// Returns true if the titles say that force runs to the right and travel upwards.
 bool areExchanged(const AxisCalibration& axes);
-/// The doubt about one axis that measures `quantity`, or is divided unevenly. `unit`: asks for a unit if that
-/// can remove the doubt.
+/// The doubt about one axis that measures `quantity`, or is divided unevenly. `unit`: the remedy that asks
+/// for the axis' unit; an unevenly divided axis does not get it.
 Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind unit);
 /// The doubts about axes that do not measure what they must: of x, then of y, or that both are exchanged.
 std::vector<Doubt> otherQuantitiesOf(const AxisCalibration& axes);

@@ -258,7 +258,7 @@ AxisTitle<ForceUnit> readYTitleAt(GraphReading& r, const TitlePlaces& at) {
   if (!best.unit) considerAgain(best, r, read, forceUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
     best.other = otherQuantity(upwards, at.towards, besides(best, lengthUnitIn));
-  // Where no title runs along the axis, a level one over its end names the quantity.
+  // If no title runs along the axis, a level one over its end names the quantity.
   if (!best.unit && best.other.empty())
     best.other = otherQuantity(r.ownTexts(at.corner), {axis, b.y0}, besides(best, lengthUnitIn));
   return best;

@@ -66,8 +66,8 @@ std::string lettersOf(TextKind kind) {
   return {};
 }
 
-/// Stands for writing that the engine read as one letter although it is wider than the line is high, which no
-/// letter is: the engine reads "荷重 [gf]" as "a [gf]".
+/// Replaces a letter that is wider than its line is high, as no letter is: the engine reads "荷重 [gf]" as
+/// "a [gf]".
 constexpr std::string_view unreadableSign = "\xEF\xBF\xBD";
 
 bool beginsWithSingleLetter(std::string_view text) {

@@ -42,7 +42,7 @@ Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& grap
   const double last = std::floor(end_mm / step_mm);
   for (double count = std::ceil(start_mm / step_mm); count <= last; ++count)
     travels_mm.push_back(count * step_mm);
-  // A last multiple that differs from the end by rounding alone is the end.
+  // An end that differs from a multiple by the reading's rounding alone is that multiple.
   const double next_mm = std::round(end_mm / step_mm) * step_mm;
   const bool isRounded = std::abs(end_mm - next_mm) <= std::min(endRounding_mm, 0.1 * step_mm);
   if (isRounded && !travels_mm.empty() && travels_mm.back() == next_mm) travels_mm.pop_back();
