@@ -75,10 +75,10 @@ bool isMonotone(const Knot& a, const Knot& b) {
   return first - twice * twice / (3 * (first + last - 2)) >= 0;
 }
 
-// Limits the slopes of pieces that were monotone, so that they are so between the moved knots, too; smooth
-// knots stay smooth. Slopes only get nearer to 0.
+// Limits slopes so that pieces which were monotone before the knots moved are monotone after it. Smooth knots
+// stay smooth. Slopes only get nearer to 0.
 void keepMonotone(const std::vector<Knot>& old, std::vector<Knot>& knots) {
-  constexpr double steepest = 3;  // times the chord: up to there every cubic is monotone
+  constexpr double steepest = 3;  // times the slope of the chord: up to this ratio every cubic is monotone
   const auto limited = [](double slope, double chord) {
     return std::clamp(slope, std::min(0.0, steepest * chord), std::max(0.0, steepest * chord));
   };

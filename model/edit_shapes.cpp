@@ -261,7 +261,7 @@ std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, c
                       Message("Start it on a rising slope, so that its start is a tactile point"));
 }
 
-// Steepest slope at the end of a monotone piece that should end with `slope`.
+// Returns `slope`, limited to the slopes that a monotone piece may have at its end.
 double limitedSlope(double slope, double rise, double length_mm) {
   const double chord = rise / length_mm;
   if (chord == 0 || (slope < 0) != (chord < 0)) return 0;

@@ -60,8 +60,8 @@ double displacementIn(Range_mm range, std::size_t i) {
   return range.from + (range.to - range.from) * static_cast<double>(i) / double(bandPoints - 1);
 }
 
-// About the mean curve, which is aligned by features: the mean of the forces at one displacement is another
-// curve, and the mean would leave a band around that.
+// Deviation of the units from the mean curve. The mean curve is aligned by features, so it differs from the
+// mean of the forces at one displacement and could leave a band around that.
 ToleranceBand bandOf(const Curves& curves, const StrokeCurve& mean) {
   const Range_mm range = commonRange(curves);
   ToleranceBand band;

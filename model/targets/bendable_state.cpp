@@ -23,7 +23,8 @@ constexpr double sameBottomOut = 0.03;
 constexpr double contactRoom = 1e-6;  // share of the travel between contacts and ends
 // factor by which the range may grow before a tactile point loses its prominence
 constexpr double roomToProminence = 1.25;
-constexpr double leastDropAhead = 0.01;  // share of the largest drop, over the next one
+// share of the largest drop by which it stays ahead of the next one
+constexpr double leastDropAhead = 0.01;
 
 bool isTwin(const std::vector<Knot>& knots, std::size_t i) {
   return i > 0 && knots[i].displacement_mm == knots[i - 1].displacement_mm;

@@ -73,7 +73,8 @@ class BendableState {
   };
   /// All linear rules, without releaseBelow (see gaps()) and the rule of the bottom-out.
   const std::vector<Rule>& rules() const { return rules_; }
-  /// Distance of the release below the press, N, where it was below at first; >= 0 keeps the rule.
+  /// Distance of the release below the press, N, at the places where it was not above at first. The rule
+  /// holds while none is negative.
   Eigen::VectorXd gaps(const Eigen::VectorXd& z, const ButtonState& bent) const;
 
   double travel_mm() const { return travel_mm_; }

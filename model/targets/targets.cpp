@@ -17,8 +17,8 @@ namespace {
 
 constexpr int mostSteps = 40;
 constexpr int stepsOnceMet = 3;         // towards the least cost, after the figures are met
-constexpr double difference = 1e-6;     // of an unknown, for numeric slopes of figures
-constexpr double noSlope = 1e-6;        // rounding of numeric slopes
+constexpr double difference = 1e-6;     // step of an unknown for numeric slopes of figures
+constexpr double noSlope = 1e-6;        // smaller numeric slopes are rounding
 constexpr double settled = 1e-5;        // an unknown that moves by less has converged
 constexpr double exact = 1e-9;          // shares of travel and range: a closer figure is met
 constexpr double leastPart = 1.0 / 32;  // smallest share of the way to the targets that a step must achieve
@@ -109,7 +109,8 @@ class Search {
     Eigen::VectorXd gaps;     // in shares of the range
     bool bottomOutAtEnd;      // or none
   };
-  // State in which no step helped: none was allowed, or `way`, which was, brought nothing.
+  // State from which no step helped: either none was allowed (`way` is empty), or the allowed step `way`
+  // brought the figures no nearer.
   struct Stuck {
     Eigen::VectorXd z;
     Eigen::MatrixXd slopes;
@@ -117,7 +118,7 @@ class Search {
     std::optional<Eigen::VectorXd> way;
   };
 
-  // The stop stays unless a figure of it is requested.
+  // Removes the unknowns that move the bottom-out or the ends, unless a requested figure depends on them.
   void restrictUnknowns(Others others) {
     const bool travel = isWanted({KeyFigure::bottomOutTravel, KeyFigure::totalTravel}),
                force = isWanted({KeyFigure::bottomOutForce, KeyFigure::endForce, KeyFigure::slopeToPeak,
@@ -133,7 +134,8 @@ class Search {
       if (may[i]) kept.push_back(static_cast<Eigen::Index>(i));
     bendable_.keepOnly(kept);
   }
-  // Bulges follow what moves on their stroke.
+  // Removes unknowns on which no requested figure depends. Bulges of the press stay, those of the release
+  // only if the release moves.
   void keepCarriers(std::vector<bool>& may) const {
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(bendable_.unknowns());
     const auto now = seen(still);
@@ -172,7 +174,7 @@ class Search {
     }
     return 1;
   }
-  // As exact as rounding allows, up to a fraction of the tolerance.
+  // Accuracy to aim at, in shares of travel and range: a tenth of the tolerance, but not below rounding.
   double bound(FigureUnit unit) const {
     const double mm = tolerance_.length_mm / bendable_.travel_mm(),
                  N = tolerance_.force_N / bendable_.range_N();
@@ -226,8 +228,8 @@ class Search {
     return slopes;
   }
 
-  // The point where the linearised figures are right at the least cost; part of the way there if that is no
-  // curve.
+  // Unknowns at which the linearised figures meet their targets at the least cost. If the rules forbid that,
+  // part of the way there; nullopt if they forbid even `leastPart` of it.
   std::optional<Eigen::VectorXd> next(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& z,
                                       const Seen& now) const {
     for (double part = 1; part >= leastPart; part /= 2)
@@ -259,7 +261,8 @@ class Search {
     return rules;
   }
 
-  // Goes as far as the figures come nearer; updates `z`.
+  // Takes the longest part of `way` that brings the figures nearer to their targets, or keeps them met;
+  // updates `z`. nullopt if no part does.
   std::optional<Seen> stepAlong(Eigen::VectorXd& z, const Eigen::VectorXd& way, const Seen& now,
                                 bool met) const {
     const double before = distance(now);
@@ -273,7 +276,7 @@ class Search {
     }
     return {};
   }
-  // The first shape rule lost on a direction that brings the figures no nearer.
+  // The first shape rule that is broken along `way`, a direction that brings the figures no nearer.
   std::optional<ShapeRule> firstLost(const Eigen::VectorXd& z, const Eigen::VectorXd& way) const {
     const auto before = bendable_.at(z);
     for (double part = leastStep; before && part <= 1; part *= 2) {
