@@ -85,8 +85,8 @@ double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, 
   return near / all;
 }
 
-/// Coinciding share of the stroke that runs more on the other one. The fringe of a line, taken for the press,
-/// covers only a part of it.
+/// Share of a stroke that coincides with the other stroke; the larger of both shares. If the press is only
+/// the fringe of the release's line, it covers a small part of the release.
 double coincidingShare(const StrokePair& strokes, double within_px) {
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
@@ -462,8 +462,8 @@ class Doubts {
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
   }
 
-  /// Returns true if two paths of a drawing are named press and release in its legend. A drawing shows a
-  /// button without hysteresis so.
+  /// Returns true if both strokes are paths of a drawing that its legend names press and release. Such
+  /// strokes may coincide, because drawings show buttons without hysteresis.
   bool drawnAndNamedApart() const {
     const StrokePair& strokes = findings_.strokes.value;
     return strokes.press.fromVector && strokes.release->fromVector && namedApart();
@@ -559,8 +559,8 @@ class Doubts {
           {{RemedyKind::swapStrokes, {}}});
   }
 
-  /// One of two curves has a name that is no stroke's, and the other's name could not be read: they may
-  /// belong to two switches. If both have such names, their paths alone decide.
+  /// Doubts two curves of which one has a name that is no stroke's, while the other's name could not be read:
+  /// they may belong to two switches. If both have such names, their paths alone tell press from release.
   void namedAlone() {
     const std::vector<CurveTrace>& traces = findings_.traces;
     const bool byHand = hints_.trace.pressColor || hints_.trace.releaseColor || !hints_.drawn.press.empty();
@@ -583,8 +583,8 @@ class Doubts {
         byColour);
   }
 
-  /// The legend names strokes of another switch beside those that were traced, so its curves are drawn too,
-  /// in whatever colour.
+  /// Doubts an import whose legend also names strokes of another switch: the curves of that switch are on the
+  /// plot too, in whatever colour.
   void otherNamed() {
     const CurveTrace* const press = traceOf(findings_.strokes.value.press);
     if (!press || !hints_.strokes.curve.empty() || hints_.trace.pressColor || !hints_.drawn.press.empty())
@@ -708,7 +708,8 @@ class Doubts {
             {RemedyKind::pickRelease, "with the colours of the left scale's curves"}};
   }
 
-  /// Predicate for the second scale: the quantity that its title names, if any.
+  /// Says what the second scale measures, to follow its subject in a message: the quantity that the scale's
+  /// title names, if any.
   Message measureOfRightScale() const {
     const LocatedGraph& graph = findings_.graph;
     if (graph.axes.rightScale == RightScale::otherForces) return Message("measures forces too");

@@ -29,7 +29,8 @@ struct LocatedGraph {
 Result<PageView> viewOf(const Document& document, const Page& page, const FrameCandidate& candidate,
                         const ViewOptions& options, const Progress& progress = {});
 
-/// Result of one page: graphs in reading order, rejected frames, and the reason for the best of those.
+/// Result for one page: graphs in reading order, rejected frames, and the reason why the most promising of
+/// these was rejected.
 struct LocatedPage {
   std::vector<LocatedGraph> graphs;
   std::vector<RejectedFrame> rejected;

@@ -107,7 +107,7 @@ std::vector<LetterShape> digitsOf(const cv::Mat& darkness, const cv::Mat& marks,
 
 bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words) {
   constexpr double paper = 0.25, full = 0.75,
-                   mostBetween = 0.05;  // of the darkest; of the fully dark pixels
+                   mostBetween = 0.05;  // shares of the greatest darkness; share of the fully dark pixels
   cv::Mat all;
   for (const Box& word : words) {
     const cv::Rect at = cv::Rect(0, 0, darkness.cols, darkness.rows) &
@@ -152,7 +152,7 @@ std::vector<LetterShape> lettersOf(const cv::Mat& marks, const Box& word) {
 std::optional<std::vector<std::string>> readEqualDigits(const std::vector<std::vector<LetterShape>>& words,
                                                         const std::vector<double>& centers_px, bool rising,
                                                         const std::vector<std::string>& engine) {
-  constexpr double leastAgreed = 0.35;  // of the signs
+  constexpr double leastAgreed = 0.35;  // share of the characters
   constexpr std::size_t ahead = 2;      // signs
   if (words.size() < fewestLabels || words.size() > mostLabels) return {};
   const std::vector<int> steps = evenSteps(centers_px);

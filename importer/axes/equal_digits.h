@@ -25,8 +25,8 @@ struct LetterShape {
   bool resembles(const LetterShape& other) const;
 };
 
-/// Returns true if words are drawn without antialiasing, with hardly an intermediate pixel. `darkness`: of
-/// their view, dark is high.
+/// Returns true if words are drawn without antialiasing: hardly a pixel is between paper and full darkness.
+/// `darkness`: of the view that contains the words; dark is high.
 bool isUnsmoothed(const cv::Mat& darkness, const std::vector<Box>& words);
 
 /// The shapes of a word's letters from left to right, separated by empty columns. The mask is 255 at dark

@@ -46,8 +46,8 @@ std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const 
   return s;
 }
 
-/// Returns true if a word like the labels is at a position along the axis, or flush with it: `inwards` -1 or
-/// 1 along the axis.
+/// Returns true if a word of the labels' size is at a position along the axis, or is flush with it on the
+/// side to which `inwards` points (-1 or 1 along the axis).
 bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place, int inwards) {
   constexpr double flush = 0.75;  // of a word's width: half of it and a margin
   const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;

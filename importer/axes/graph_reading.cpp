@@ -25,8 +25,8 @@ std::vector<double> positions(const std::vector<GridLine>& lines) {
   return out;
 }
 
-/// Returns true if a text consists of words only. One with a long dash may be a legend row that its keys
-/// divide.
+/// Returns true if a text consists of words only. A text with a long dash is left out: it may be a legend
+/// row, with keys between its entries.
 bool ofUse(const SeenText& t) {
   if (t.utf8.find("\xE2\x80\x94") != std::string::npos) return false;
   const auto letters = std::count_if(t.utf8.begin(), t.utf8.end(),

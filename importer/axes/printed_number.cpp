@@ -165,7 +165,7 @@ ThousandsSign expectThousands(const std::vector<std::string>& texts,
   }
   if (thousands == 0 || decimals > 0) return ThousandsSign::none;
   const bool certain = hundreds > 0 || (comma && zeros > 0);
-  // A whole number printed with three decimals is unusual only if the zero beside it has none.
+  // "1,000" may be a whole number with three decimals, which is unusual beside a "0" without decimals.
   if (!certain) return (comma && thousands > 1) || zeros > 0 ? ThousandsSign::possible : ThousandsSign::none;
   for (std::size_t i = 0; i < texts.size(); ++i)
     if (!readings[i].empty() && signIn(texts[i]) == SignIn::thousands)

@@ -659,7 +659,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   auto& cal = found.calibration.value;
   const auto xUnit = xUnitOf(cal.x, hints, r, xLabels, found.remarks);
   const auto yUnit = yUnitOf(cal.y, hints, r, yLabels, y, found.remarks);
-  // A unit given by hand settles what one axis measures, not that the two are exchanged.
+  // A unit given by hand settles which quantity one axis measures, but not whether the two axes are
+  // exchanged.
   if (!areExchanged(cal)) {
     if (hints.xUnit) cal.x.otherQuantity.clear();
     if (hints.yUnit) cal.y.otherQuantity.clear();

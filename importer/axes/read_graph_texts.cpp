@@ -24,8 +24,8 @@ constexpr std::size_t maxLines = 24;   // a view with more text is a page, not a
 constexpr double minConfidence = 0.5;  // dashes and arrows that were read as text have less
 constexpr int minLetters = 3;
 
-/// Median darkness of the gridlines, without the frame's own edges; 0 without a grid. Letters are separated
-/// from gridlines that cross them by it.
+/// Median darkness of the gridlines, without the frame's own edges; 0 without a grid. Marks that are darker
+/// are letters, even where gridlines cross them.
 int gridDarkness(const cv::Mat& d, const PlotFrame& frame) {
   const Box box = frame.box();
   std::vector<int> colours;

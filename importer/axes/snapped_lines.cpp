@@ -9,11 +9,13 @@ namespace detent::importer {
 namespace {
 
 constexpr double sameFraction_px =
-    0.06;  // of a centroid: neighbouring marks displace lines on whole pixels a little
+    // largest difference of the fractions: neighbouring marks displace the centroid of a rounded line a
+    // little
+    0.06;
 constexpr double half_px = 0.5 + 0.03;
 
 struct Vertex {
-  double at = 0, pitch = 0;  // position of value 0 (of the middle), pixels per unit of value
+  double at = 0, pitch = 0;  // position of the middle value; pixels per unit of value
 };
 
 bool shareFraction(const std::vector<std::pair<double, double>>& lines) {

@@ -84,7 +84,8 @@ std::vector<std::size_t> starts(const std::vector<Box>& letters, double height) 
   return out;
 }
 
-/// The unit in a reading; `apart` if a mark in front of it announces a unit, as one within it does.
+/// The unit in a reading. `apart`: a mark in front of the reading separates it from the words, as a bracket
+/// or slash within the reading does.
 std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool apart) {
   std::string core;
   std::size_t marks = 0;

@@ -13,7 +13,7 @@ struct PointNoise {
 
 /// Criterion for the number of pieces.
 enum class PieceCriterion {
-  bic,   ///< chi-square + parameters * ln(points), both in independent points
+  bic,   ///< least chi-square + parameters * ln(points), where points that share one error count as one
   fixed  ///< exactly FitOptions::pieces, or fewer if there are too few points
 };
 

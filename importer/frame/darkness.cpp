@@ -19,7 +19,8 @@ namespace {
 
 /// Most frequent luminance, in bins of four so that scanner noise does not split the peak.
 int paperLuminance(const cv::Mat& grey) {
-  // Four counts in turn: a count that follows itself, as on blank paper, waits for its last addition.
+  // Pixels are counted in four histograms in turn. On blank paper, two additions in a row to one counter
+  // would wait for each other.
   std::array<std::array<long, 256>, 4> counts{};
   for (int y = 0; y < grey.rows; ++y) {
     const auto* row = grey.ptr<std::uint8_t>(y);
@@ -75,8 +76,8 @@ cv::Mat distanceTo(const cv::Mat& place) {
 }
 
 /// Corrects the paper beside a step between two papers, where the median takes the wrong one under nearby
-/// text. There, paper is what is connected to a wide area of its grey, so that it reaches between letters;
-/// the rest uses the nearest paper.
+/// text. There, pixels count as paper if they are connected to a wide area of their grey, which reaches
+/// between letters. All other pixels are compared with the nearest such paper.
 void settleBesideSteps(const cv::Mat& grey, const cv::Mat& paper, int window, cv::Mat& contrast) {
   constexpr int step = 48;                                  // grey levels between papers
   constexpr double likePaper = 0.35;                        // share of the step between the two papers

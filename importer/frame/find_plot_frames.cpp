@@ -95,7 +95,7 @@ std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alon
   return out;
 }
 
-/// Share of a graph's label glyphs that are taller than wide, which means that it is read along x.
+/// Share of a graph's label glyphs that are taller than wide. If most are, the graph is read along x.
 double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>& glyphs) {
   const auto in = [](const LabelRow& row, Point p) {
     return std::any_of(row.words.begin(), row.words.end(), [&](const Box& w) { return w.contains(p); });

@@ -38,9 +38,9 @@ char32_t foldedLetter(char32_t c) {
     if (c >= range.first && c <= range.last) return range.letter;
   if (const auto at = accented.find(c); at != std::u32string_view::npos) return plain[at];
   if (c >= 0x391 && c <= 0x3A9) return c + 0x20;  // Greek capitals
-  if (c >= 0x410 && c <= 0x42F) return c + 0x20;  // Cyrillic capitals, and those that stand before А
+  if (c >= 0x410 && c <= 0x42F) return c + 0x20;  // Cyrillic capitals; those before А stand elsewhere
   if (c >= 0x400 && c <= 0x40F) return c + 0x50;
-  if (c >= 0xFF21 && c <= 0xFF5A) return foldedLetter(c - 0xFF21 + U'A');  // as wide as ideographs
+  if (c >= 0xFF21 && c <= 0xFF5A) return foldedLetter(c - 0xFF21 + U'A');  // full-width letters
   return c;
 }
 

@@ -39,7 +39,7 @@ std::array<std::string_view, count> fieldsOf(std::string_view line) {
   return fields;
 }
 
-/// A letter or more that stand for others, with their cost.
+/// Letters that are read in place of others, with the cost of that confusion.
 struct Confusion {
   std::u32string read, printed;
   double cost = 0;
@@ -122,7 +122,7 @@ bool startsAt(std::u32string_view text, std::size_t at, std::u32string_view part
   return text.substr(at, part.size()) == part;
 }
 
-/// Which differences are admitted.
+/// Kinds of confusions that may explain a difference.
 struct Admitted {
   bool engine = false, script = false;
   double unexplained = kNoMatch;  ///< cost of a letter that nothing explains
@@ -131,7 +131,8 @@ struct Admitted {
 /// Weighted edit distance from what was read to what is printed; kNoMatch above `most`.
 double distanceBetween(std::u32string_view read, std::u32string_view printed, double most,
                        const Admitted& admitted) {
-  constexpr std::size_t longestGap = 4, longestWord = 32;  // letters: difference in length; of a word
+  // most letters by which the lengths differ; most letters of a word
+  constexpr std::size_t longestGap = 4, longestWord = 32;
   if (read == printed) return 0;
   if (read.size() > printed.size() + longestGap || printed.size() > read.size() + longestGap ||
       read.size() > longestWord || printed.size() > longestWord)
@@ -144,7 +145,7 @@ double distanceBetween(std::u32string_view read, std::u32string_view printed, do
   std::array<double, (longestWord + 1) * (longestWord + 1)> cost;
   std::fill_n(cost.begin(), rows * columns, kNoMatch);
   cost[0] = 0;
-  std::size_t farthest = 0;  // row that anything reached
+  std::size_t farthest = 0;  // last row that was reached so far
   for (std::size_t i = 0; i < rows && i <= farthest; ++i)
     for (std::size_t j = 0; j < columns; ++j) {
       const double here = cost[i * columns + j];
@@ -165,28 +166,29 @@ double distanceBetween(std::u32string_view read, std::u32string_view printed, do
         if (of == list->end()) continue;
         for (const Confusion& each : of->second)
           if (startsAt(printed, j, each.printed) && startsAt(read, i, each.read) &&
-              (!each.read.empty() || (i > 0 && i + 1 < rows)))  // a letter is lost within the word only
+              (!each.read.empty() || (i > 0 && i + 1 < rows)))  // letters are lost only inside a word
             reach(each.read.size(), each.printed.size(), each.cost);
       }
     }
   return cost[rows * columns - 1] <= most ? cost[rows * columns - 1] : kNoMatch;
 }
 
-/// Letters of a word that may be wrong.
+/// Number of letters that may be wrong in a word of this length.
 double forgiven(std::size_t letters) {
   constexpr std::size_t fewestForOne = 6, fewestForTwo = 9;
   return letters >= fewestForTwo ? 2 : letters >= fewestForOne ? 1 : 0;
 }
 
-constexpr double kSmallCosts = 0.3;  // largest sum for letters of the same shape
+// largest summed cost of letters that were confused with others of the same shape
+constexpr double kSmallCosts = 0.3;
 
-/// Cost of a word against an entry's letters, and whether confusions explain it.
+/// Cost of a word compared with an entry's letters, and whether known confusions explain it.
 struct Priced {
   double cost = kNoMatch;
   bool explained = true;
 };
 Priced priceOf(std::u32string_view read, const Entry& known, TextSource source) {
-  constexpr std::size_t fewest = 4;        // letters of a word that may be misread
+  constexpr std::size_t fewest = 4;        // shorter words must match exactly
   constexpr double explainedLetter = 0.5;  // cost
   if (read == std::u32string_view(known.letters)) return {0, true};
   const std::size_t letters = std::min(read.size(), known.letters.size());
@@ -203,7 +205,7 @@ Priced priceOf(std::u32string_view read, const Entry& known, TextSource source) 
   return {distanceBetween(read, known.letters, allowed + kSmallCosts, admitted), false};
 }
 
-/// Takes a sign out of a text wherever it stands; returns true if it stood there.
+/// Removes a sign from a text wherever it stands; returns true if the text had it.
 bool takeOut(std::string& text, std::string_view sign) {
   bool found = false;
   for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign)) {
@@ -213,7 +215,8 @@ bool takeOut(std::string& text, std::string_view sign) {
   return found;
 }
 
-/// Words of a title; a column's name is parted at its capitals: "forceGf", "travelMm".
+/// The title with a blank before each capital letter inside a word, to split names of columns: "forceGf",
+/// "travelMm".
 std::string partedAtCapitals(std::string_view title) {
   std::string out;
   for (std::size_t i = 0; i < title.size(); ++i) {
@@ -224,8 +227,8 @@ std::string partedAtCapitals(std::string_view title) {
   return out;
 }
 
-/// Returns true if a match names its quantity: another quantity than force and travel contradicts a unit,
-/// and needs more than a short or badly read word.
+/// Returns true if a match is certain enough to count. A quantity other than force and travel contradicts a
+/// unit, so a short or badly read word does not prove it.
 bool mayBeSaid(std::string_view word, const WordMatch& match, TextSource source) {
   constexpr std::size_t fewest = 4;  // letters
   const bool isOther = match.entry->value != "force" && match.entry->value != "travel";
@@ -235,7 +238,7 @@ bool mayBeSaid(std::string_view word, const WordMatch& match, TextSource source)
 
 /// Every quantity that a title's words name, each once.
 std::vector<std::string_view> quantitiesIn(std::string_view title, TextSource source) {
-  constexpr std::size_t fewestWithin = 5;  // letters of a word that is found within words read as one
+  constexpr std::size_t fewestWithin = 5;  // letters of a word that is searched inside words read as one
   std::vector<std::string_view> found;
   const auto add = [&](std::string_view name) {
     if (std::ranges::find(found, name) == found.end()) found.push_back(name);
@@ -252,7 +255,7 @@ std::vector<std::string_view> quantitiesIn(std::string_view title, TextSource so
       takeOut(text, entry.word);
     }
   }
-  // The longest first: a torque's sign holds that of a force.
+  // The longest sign first: that of a torque contains that of a force.
   std::ranges::stable_sort(signs, std::greater<>{}, [](const LexiconEntry* e) { return e->word.size(); });
   for (const LexiconEntry* sign : signs)
     if (takeOut(text, sign->word)) add(sign->value);
@@ -287,7 +290,7 @@ namespace {
 
 std::optional<WordMatch> nearestMatch(std::string_view word, std::initializer_list<WordKind> kinds,
                                       TextSource source) {
-  constexpr std::size_t fewestBefore = 3;  // letters of a compound before its end
+  constexpr std::size_t fewestBefore = 3;  // letters of a compound in front of its last part
   const std::u32string read = codePoints(word);
   std::optional<WordMatch> best;
   for (const WordKind kind : kinds)
@@ -308,7 +311,7 @@ std::optional<WordMatch> nearestMatch(std::string_view word, std::initializer_li
 
 std::optional<WordMatch> matchWord(std::string_view word, std::initializer_list<WordKind> kinds,
                                    TextSource source) {
-  constexpr std::size_t mostKept = 20000;  // answers: the same words come back many times on a page
+  constexpr std::size_t mostKept = 20000;  // limit of kept answers; a page repeats its words many times
   thread_local std::map<std::pair<std::string, unsigned>, std::optional<WordMatch>> known;
   unsigned requested = source == TextSource::exact ? 1U : 0U;
   for (const WordKind kind : kinds) requested |= 2U << static_cast<unsigned>(kind);

@@ -17,7 +17,7 @@ enum class TextSource {
   recognised  ///< read off pixels: letters may be wrong
 };
 
-/// The third column of lexicon.tsv, which describes each.
+/// Kind of an entry; the third column of lexicon.tsv, which describes each kind.
 enum class WordKind {
   press,
   release,
@@ -40,7 +40,7 @@ enum class WordForm {
   end,        ///< "-kraft": the end of a longer word
   beginning,  ///< "ruck-": the beginning of a longer word
   phrase,     ///< several words in a row
-  sign        ///< anywhere: writing without blanks between words, arrows
+  sign        ///< found anywhere in a text: words of languages without blanks, arrows
 };
 
 struct LexiconEntry {
@@ -53,32 +53,34 @@ struct LexiconEntry {
 /// All entries of a kind, in the file's order.
 std::span<const LexiconEntry> entriesOf(WordKind kind);
 
-/// An entry of the lexicon that a word of a label fits, with the cost of the differing letters.
+/// An entry of the lexicon that matches a word of a label, with the cost of the letters that differ.
 struct WordMatch {
   const LexiconEntry* entry = nullptr;
-  double cost = 0;        ///< 0: spelled so; letters that the engine confuses cost less than 1 each, others 1
+  /// 0: same spelling; a letter that the engine confuses costs less than 1, any other letter 1
+  double cost = 0;
   bool explained = true;  ///< confusions.tsv explains every difference
 };
 
-/// The entry of these kinds that a folded word is nearest to, whole words and beginnings or ends of
-/// compounds. In exact text nothing but the spelling counts. nullopt if none is near enough for the word's
-/// length.
+/// The entry of these kinds that is nearest to a folded word: a whole word, or a beginning or end of a
+/// compound. In exact text only known variants of spelling are accepted. nullopt if no entry is near enough
+/// for the word's length.
 std::optional<WordMatch> matchWord(std::string_view foldedWord, std::initializer_list<WordKind> kinds,
                                    TextSource source);
 
-/// Least cost of reading `read` where `printed` stands; nullopt if it exceeds `most`. With `explainedOnly`
-/// differences that confusions.tsv does not list are not admitted.
+/// Least cost of reading `read` in place of `printed`; nullopt if it exceeds `most`. With `explainedOnly`,
+/// only differences that confusions.tsv lists are allowed.
 std::optional<double> costOfReading(std::string_view read, std::string_view printed, double most,
                                     bool explainedOnly);
 
-/// A whole unit that reads as another sign: "eN" is "cN".
+/// The printed unit behind a misread one: "cN" if the engine read "eN".
 struct UnitReading {
   std::string_view printed;
   double cost = 0;  ///< 0..1
   /// true if the recognised text is itself a word or a unit, so that only a named quantity can decide
   bool needsQuantity = false;
 };
-/// `withCyrillic`: of exact text, only with Cyrillic letters beside it.
+/// The unit for which `read` may be a misreading. In exact text only confusions of Cyrillic and Latin letters
+/// are considered, and only with `withCyrillic`.
 std::optional<UnitReading> unitReadAs(std::string_view read, TextSource source, bool withCyrillic);
 
 /// Quantity that an axis or a column measures.
@@ -89,13 +91,14 @@ struct NamedQuantity {
   bool printedAsForce = false;  ///< another quantity that people print in units of force: pressure, mass
 };
 
-/// The quantity that the words of a title name; force and travel go before others ("force over time of
-/// use"), force before travel ("Kraft-Weg"). `none` if no word of it is known.
+/// The quantity that the words of a title name. Force and travel take precedence over other quantities
+/// ("force over time of use"), force over travel ("Kraft-Weg"). `none` if no word is known.
 NamedQuantity quantityNamedIn(std::string_view title, TextSource source);
 /// Returns true if a title has a word for this quantity, whatever else it names.
 bool namesQuantity(std::string_view title, Quantity quantity, TextSource source);
 
-/// The quantity of a unit of neither force nor travel: "kPa" is a pressure. Empty if unknown.
+/// The quantity of a unit that measures neither force nor travel: pressure for "kPa". Empty for an unknown
+/// unit.
 std::string_view quantityOfUnit(std::string_view unit);
 
 }  // namespace detent::importer

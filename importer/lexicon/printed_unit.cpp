@@ -14,11 +14,12 @@
 namespace detent::importer {
 namespace {
 
-/// No button's graph is printed in these; on a page they are a smaller unit misread, or another quantity.
+/// Units in which no button's graph is printed. On a page they are a misread smaller unit, or the unit of
+/// another quantity.
 constexpr std::array unprintedForces{ForceUnit::micronewton, ForceUnit::meganewton};
 constexpr std::array unprintedLengths{LengthUnit::metre, LengthUnit::nanometre};
 
-/// Full-width letters and brackets, angled ones, and blanks of other widths, to plain ones.
+/// The title with full-width letters, full-width and angled brackets, and other blanks replaced by ASCII.
 std::string plainTitle(std::string_view s) {
   std::string out;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -39,7 +40,8 @@ std::string plainTitle(std::string_view s) {
       out += ' ';
       i += 1;
     } else if (byte(0) == 0xE2 && byte(1) == 0x82 && byte(2) == 0xAC &&
-               s.find_first_of("([") == std::string_view::npos) {  // a bracket of a stroke font, as read
+               // a bracket in a stroke font is read as a euro sign
+               s.find_first_of("([") == std::string_view::npos) {
       out += '(';
       i += 2;
     } else if (s[i] == '<' || (s[i] == '>' && out.rfind('(') + 1 > out.rfind(')') + 1)) {
@@ -53,9 +55,9 @@ std::string plainTitle(std::string_view s) {
 
 struct Piece {
   std::string text;
-  double sure;           // of being a unit by where it stands
-  bool last = false;     // nothing but blanks sets it apart from the words before it
-  bool shorter = false;  // the piece before it, its first letter taken for a bracket
+  double sure;           // confidence that this is a unit, by its place in the title
+  bool last = false;     // only a blank separates it from the words before it
+  bool shorter = false;  // same as the previous piece, without a first letter that may be a misread bracket
 };
 
 std::string withoutBrackets(std::string_view s) {
@@ -68,7 +70,7 @@ std::string withoutBlanks(std::string s) {
   return s;
 }
 
-/// Without the arrow that some titles end in, as printed or as a recogniser sees it: "Travel (mm) ->".
+/// The title without an arrow at its end, as printed or as a recogniser reads it: "Travel (mm) ->".
 std::string withoutArrow(std::string t) {
   constexpr std::array tails{
       " ", "-", ">", "=", "_", "\xE2\x86\x92", "\xE2\x86\x91", "\xE2\x80\x94", "\xE2\x80\x93", "\xC2\xBB"};
@@ -94,17 +96,20 @@ std::string withoutUnitWord(std::string text) {
   return text;
 }
 
-constexpr std::string_view likeBrackets = "IlL1|iftCcrJj";  // what a recogniser makes of one
+// characters as which a recogniser reads brackets
+constexpr std::string_view likeBrackets = "IlL1|iftCcrJj";
 
-/// Texts in brackets, also without a last sign that may be a misread closing bracket.
+/// Texts in brackets; if a closing bracket is missing, also the text without a last character that may be
+/// one.
 std::vector<std::string> bracketed(const std::string& t) {
-  constexpr std::size_t longest = 24;  // bytes; a recogniser loses closing brackets, and the rest is no unit
+  // bytes; without its closing bracket the text runs on, and is too long for a unit
+  constexpr std::size_t longest = 24;
   std::vector<std::string> out;
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (t[i] != '(' && t[i] != '[' && t[i] != '{') continue;
     auto close = t.find_first_of(")]}|", i + 1);
     const bool closed = close != std::string::npos;
-    if (!closed && t[i] == '{') continue;  // a rest of an ideograph
+    if (!closed && t[i] == '{') continue;  // a misread part of an ideograph
     if (!closed) close = t.size();
     const std::string inside =
         withoutBlanks(withoutBrackets(std::string_view(t).substr(i + 1, close - i - 1)));
@@ -116,13 +121,13 @@ std::vector<std::string> bracketed(const std::string& t) {
   return out;
 }
 
-/// "lbF": the letter of a force, written large.
+/// Corrects a capital F at the end of a unit of force: "lbF".
 std::string withSmallF(std::string text) {
   if (text.size() > 1 && text.back() == 'F') text.back() = 'f';
   return text;
 }
 
-/// "Iegf]": the opening bracket was read as a letter.
+/// Adds the text before a closing bracket whose opening bracket was read as a letter: "Iegf]".
 void addUnopened(const std::string& t, std::vector<Piece>& out) {
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (t[i] != ']' && t[i] != ')') continue;
@@ -151,8 +156,7 @@ std::size_t lastPartOf(std::string_view name) {
   return 0;
 }
 
-/// "travel_mm", "Force.N", "forceGf": titles that are names of a table's columns, which have no blanks, end
-/// in their unit.
+/// Adds the unit at the end of a table column's name, which has no blanks: "travel_mm", "Force.N", "forceGf".
 void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   constexpr std::ptrdiff_t fewest = 3;  // letters of a name before a unit of one: "F_N" is a normal force
   std::string_view name = t;
@@ -169,8 +173,8 @@ void addOfColumn(const std::string& t, std::vector<Piece>& out) {
   if (unit.size() > 1 || letters >= fewest) out.push_back({std::string(unit), 0.9});
 }
 
-/// Possible units in a title, surest first: in brackets; without any after a slash, after "in", as the last
-/// word.
+/// Possible units in a title, the surest first: texts in brackets; if there are none, the text after a slash
+/// or after "in", and the last word.
 std::vector<Piece> pieces(const std::string& title) {
   const std::string t = withoutArrow(title);
   std::vector<Piece> out;
@@ -200,7 +204,8 @@ std::vector<Piece> pieces(const std::string& title) {
 /// Texts that resemble a misread unit but are not taken for one: they are words, or the end of a title.
 constexpr std::array<std::string_view, 8> ambiguousReadings{"of", "am", "H", "r", "(N", "02", "mi", "af"};
 
-/// A letter that may be a word's end is a unit only where a unit must stand.
+/// Returns true if a piece may be a unit. A single letter, which may be the end of a word, is a unit only
+/// where a unit must stand.
 bool mayBeUnit(const Piece& piece) {
   if (piece.sure >= 0.9) return true;
   return piece.text.size() > 1 ? piece.text != "in" : piece.text == "N" || piece.text == "g";
@@ -222,7 +227,7 @@ std::optional<PrintedUnit<Unit>> unitIn(const std::string& title, TextSource sou
     const auto unit = fromSymbol(piece.text);
     if (piece.shorter && unit && best && best->unit != *unit) return {};  // "CN]": of "[N]" or of "cN]"
     if (mayBeUnit(piece)) offer(unit, piece.sure);
-    // "Load Ibf": a last word that no language has.
+    // The last word may be a misread unit if it is a word in no language: "Load Ibf".
     const bool behindWord =
         piece.last && agrees && std::ranges::find(ambiguousReadings, piece.text) == ambiguousReadings.end();
     if (piece.sure < 0.9 && !behindWord) continue;
@@ -330,13 +335,13 @@ std::string otherQuantityIn(std::string_view title, TextSource source) {
   const NamedQuantity named = quantityNamedIn(plain, source);
   for (const Piece& piece : pieces(plain)) {
     if (piece.sure < 0.9) continue;
-    // A single letter may be a quantity's symbol ("Kraft, F"), or read of anything.
+    // A single letter may be a quantity's symbol ("Kraft, F") or a misreading.
     const bool isUnit = piece.text.size() > 1 || (source == TextSource::exact && piece.sure >= 1);
     if (isUnit && !quantityOfUnit(piece.text).empty()) {
       if (named.quantity == Quantity::other) return std::string(named.name) + " (" + piece.text + ")";
       return piece.text;
     }
-    // A force per length, a multiple of a force: a unit with more around it.
+    // A unit with other signs around it is a force per length or a multiple of a force.
     const auto sign = piece.text.find_first_of("/*^");
     const bool multiple = piece.text.starts_with("x1") || piece.text.starts_with("\xC3\x97");
     if (piece.sure >= 1 && (multiple || (sign != std::string::npos && sign > 0))) return piece.text;

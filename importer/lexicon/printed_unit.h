@@ -18,11 +18,11 @@ struct PrintedUnit {
   double sure = 0;
 };
 
-/// "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)". Where a title has brackets the unit stands
-/// in them, whole: "[dN]", "(x10 gf)" and "(N/mm)" hold no N, gf or mm. A unit counts only beside a word or
-/// letter of its quantity, or without any: "Inductance [H]" and "U [N]" hold no force. Beside a word of exact
-/// text that the lexicon does not know no unit counts. Misread letters count in recognised text
-/// only.
+/// The unit of force in a title: "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)". If a title has
+/// brackets, the whole text in them must be the unit: "[dN]", "(x10 gf)" and "(N/mm)" do not contain N, gf or
+/// mm. A unit beside a word or letter of another quantity does not count: "Inductance [H]" and "U [N]" name
+/// no force. In exact text no unit counts beside a word that the lexicon does not know. Misread letters are
+/// considered only in recognised text.
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title,
                                                   TextSource source = TextSource::recognised);
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title,

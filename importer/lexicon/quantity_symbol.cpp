@@ -10,8 +10,8 @@
 namespace detent::importer {
 namespace {
 
-/// The letter that a mathematical italic or bold one stands for, as formulas of documents are set: the a of
-/// "𝑎 [g]". Any other letter unchanged.
+/// The plain letter for a mathematical italic or bold one, in which documents set formulas: a for "𝑎 [g]".
+/// Any other letter unchanged.
 char32_t withoutMathematicalStyle(char32_t c) {
   constexpr char32_t firstLatin = 0x1D400, lastLatin = 0x1D6A3, firstGreek = 0x1D6A8, lastGreek = 0x1D7C9,
                      planck = 0x210E;
@@ -33,8 +33,9 @@ bool isSymbolLetter(char32_t c) {
 
 bool isIndexDigit(char32_t c) { return (c >= U'0' && c <= U'9') || (c >= U'₀' && c <= U'ₜ'); }
 
-/// Returns true for what may stand for a letter: documents whose fonts name their letters wrongly make other
-/// signs of Greek ones, and engines a euro of an epsilon. Other signs and digits may be read of an ideograph.
+/// Returns true if a character may stand for a letter. Documents whose fonts name letters wrongly have other
+/// signs for Greek letters, and text engines read an epsilon as a euro sign. Other signs and digits are
+/// excluded, because they may be misread ideographs.
 bool mayBeSymbol(char32_t c, TextSource source) {
   const bool isLatinSign = c >= U'¡' && c <= U'¿';
   return isSymbolLetter(c) || (source == TextSource::exact ? isLatinSign : c == U'€');
@@ -51,7 +52,7 @@ void takeOffWhile(std::u32string_view& text, Test test) {
   while (!text.empty() && test(text.front())) text.remove_prefix(1);
 }
 
-/// Takes off "_{max}", "z", "₁".
+/// Removes an index: "_{max}", "z", "₁".
 void takeOffIndex(std::u32string_view& text) {
   constexpr std::array<std::u32string_view, 8> indices{U"max", U"min", U"rms", U"x", U"y", U"z", U"n", U"N"};
   const auto isOfIndex = [](char32_t c) { return isSymbolLetter(c) || isIndexDigit(c); };
@@ -70,12 +71,12 @@ void takeOffIndex(std::u32string_view& text) {
   }
 }
 
-/// Takes off the argument of a function, "(t)", where more stands behind it.
+/// Removes the argument of a function, "(t)", if more text follows it.
 void takeOffArgument(std::u32string_view& text) {
   if (text.size() > 3 && text[0] == U'(' && text[2] == U')' && isSymbolLetter(text[1])) text.remove_prefix(3);
 }
 
-/// Takes off the sign of a difference, as printed or as an engine reads it, in front of a letter: "Δa", "Aa".
+/// Removes the sign of a difference in front of a letter, as printed ("Δa") or as an engine reads it ("Aa").
 void takeOffDifference(std::u32string_view& title, TextSource source) {
   for (const std::u32string_view difference : {U"Δ", U"∆", U"A"}) {
     std::u32string_view rest = title;
@@ -86,7 +87,7 @@ void takeOffDifference(std::u32string_view& title, TextSource source) {
   }
 }
 
-/// Without the strokes of an amount that an engine reads as letters: "lal".
+/// The title without the bars of an absolute value, which an engine reads as letters: "lal".
 std::u32string withoutAmount(const std::u32string& title) {
   constexpr std::u32string_view strokes = U"|lI1";
   const bool isAmount = title.size() > 3 && title[0] == title[2] &&
@@ -94,7 +95,8 @@ std::u32string withoutAmount(const std::u32string& title) {
   return isAmount ? title[1] + title.substr(3) : title;
 }
 
-/// The quantity of a unit of force or length with the signs around it; `none` of anything else.
+/// The quantity of a unit of force or length, ignoring brackets and punctuation around it; `none` for
+/// anything else.
 Quantity measuredIn(std::string_view unit) {
   constexpr std::string_view around = " \t[](){}<>|/,.:;";
   const auto first = unit.find_first_not_of(around), last = unit.find_last_not_of(around);

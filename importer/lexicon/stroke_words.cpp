@@ -28,7 +28,7 @@ bool isCompoundOf(std::string_view word, WordKind kind) {
 bool isArrow(const LexiconEntry& entry) { return entry.value == "arrow"; }
 bool isLone(const LexiconEntry& entry) { return entry.value == "alone"; }
 
-/// The stroke of the nearest word, if no rival is as near.
+/// The stroke of the nearest word; empty if a rival is as near.
 struct Nearest {
   std::optional<Stroke> stroke;
   bool explained = true;
@@ -69,7 +69,7 @@ std::optional<Stroke> strokeOfLoneWord(std::string_view word) {
 
 std::optional<Stroke> strokeOfPart(std::string_view word) {
   constexpr std::size_t fewest = 5;   // letters
-  constexpr double leastShare = 0.6;  // of a word whose end is hidden
+  constexpr double leastShare = 0.6;  // share of the word that is visible beside the hidden end
   if (letterCount(word) < fewest) return {};
   const auto isPart = [&](const LexiconEntry& entry) {
     return entry.form == WordForm::whole &&
@@ -134,7 +134,7 @@ std::string withoutStrokeSigns(std::string_view word) {
 }
 
 std::string_view cyrillicWordLike(std::string_view read) {
-  constexpr std::size_t fewest = 6;  // letters of a word that a Latin one is not like by chance
+  constexpr std::size_t fewest = 6;  // letters; shorter words resemble Latin ones by chance
   const auto match = matchWord(read, {WordKind::press, WordKind::release}, TextSource::recognised);
   const bool isLong = match && letterCount(match->entry->word) >= fewest;
   return isLong && hasCyrillic(match->entry->word) ? match->entry->word : std::string_view();

@@ -45,11 +45,11 @@ SignedStrokes strokesSignedIn(std::string_view utf8);
 /// "A轴".
 std::string withoutStrokeSigns(std::string_view word);
 
-/// The Cyrillic word for a stroke that a reader of Latin letters takes for this one: "haxatue" is "нажатие".
-/// Empty if none is near.
+/// The Cyrillic word for a stroke that an engine reads in Latin letters as this word: "нажатие" for
+/// "haxatue". Empty if none is near.
 std::string_view cyrillicWordLike(std::string_view read);
 
-/// Returns true if a folded word says of a curve what every legend says: "stroke", "curve", "phase".
+/// Returns true if a folded word only says that the label belongs to a curve: "stroke", "curve", "phase".
 bool isCurveWord(std::string_view word, TextSource source = TextSource::recognised);
 
 /// Returns true if a text holds a sign of this kind anywhere.

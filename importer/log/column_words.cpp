@@ -92,7 +92,7 @@ const Vocabulary& vocabulary() {
   return all;
 }
 
-/// Words in small letters; "forceN" and "force_N" are two.
+/// The words of a title in small letters. "forceN" and "force_N" are split into two words.
 std::vector<std::string> titleWords(std::string_view text) {
   std::vector<std::string> words;
   std::string word;
@@ -119,7 +119,7 @@ std::uint32_t meaningsOf(const std::string& word) {
     singular.pop_back();
     if (const auto found = all.words.find(singular); found != all.words.end()) return found->second;
   }
-  // "ch1", "run2"; of single letters those of axes: "y1"
+  // A word with a number: "ch1", "run2". Single letters with a number count only if they name axes: "y1".
   std::string stem = word;
   while (!stem.empty() && stem.back() >= '0' && stem.back() <= '9') stem.pop_back();
   constexpr auto axes = static_cast<std::uint32_t>(ColumnWord::displacementWeak) |
@@ -174,7 +174,7 @@ ColumnUnit unitSpelled(std::string_view text) {
 
 bool isMeasured(const ColumnUnit& unit) { return unit.isOfButton() || unit.kind == ColumnUnit::Kind::time; }
 
-/// "1/64 in": a part of a unit.
+/// A fraction of a unit: "1/64 in".
 std::optional<ColumnUnit> fractionOfUnit(std::string_view text) {
   double above = 0, below = 0;
   const char* const end = text.data() + text.size();
@@ -188,7 +188,7 @@ std::optional<ColumnUnit> fractionOfUnit(std::string_view text) {
   return unit;
 }
 
-/// "N m", "N s": units one behind the other.
+/// Returns true for units one after the other: "N m", "N s".
 bool isProductOfUnits(std::string_view text) {
   std::size_t units = 0;
   for (std::size_t at = 0; at <= text.size();) {
@@ -279,7 +279,7 @@ ColumnUnit unitOf(std::string_view text) {
     if (!isMeasured(scaled)) continue;
     return scaled.size *= *factor, scaled.text = std::string(whole), scaled;
   }
-  // Compound units measure something else, whatever they are made of: "N m", "N/mm".
+  // A compound unit measures another quantity, whatever its parts are: "N m", "N/mm".
   if (isProductOfUnits(whole)) return {ColumnUnit::Kind::other, 1, std::string(whole)};
   const bool compound =
       whole.find_first_of("/^*") != std::string_view::npos || whole.find("²") != std::string_view::npos ||
@@ -297,7 +297,7 @@ SplitTitle splitTitle(std::string_view given) {
   const std::string_view title = trimmed(given);
   SplitTitle split{std::string(title), {}};
   if (title.empty()) return split;
-  // The last bracket that holds a unit; one that holds something else is remembered as unknown.
+  // Takes the last bracket that contains a unit. A bracket with another text is kept as an unknown unit.
   ColumnUnit unknown;
   for (const auto& [open, close] : kBrackets)
     for (std::size_t from = title.rfind(open); from != std::string_view::npos;
@@ -323,7 +323,7 @@ SplitTitle splitTitle(std::string_view given) {
     }
   const ColumnUnit whole = unitOf(title);
   if (whole.kind != ColumnUnit::Kind::unknown && whole.kind != ColumnUnit::Kind::other) return {"", whole};
-  // Behind a slash, a comma, an underscore, "in", or a blank.
+  // The unit may follow a slash, a comma, an underscore, "in", or a blank.
   const std::size_t at = title.find_last_of(" _/,:;.-");
   for (const std::size_t cut : {title.find('/'), title.find(" in "), title.find(", "), at}) {
     if (cut == std::string_view::npos || cut == 0) continue;
@@ -332,7 +332,7 @@ SplitTitle splitTitle(std::string_view given) {
     const ColumnUnit unit = unitOf(behind);
     if (!unit.isKnown()) continue;
     const bool byBlank = cut == at && (title[cut] == ' ' || title[cut] == '-' || title[cut] == '.');
-    // Words that are units as well, and letters that number things.
+    // After a blank, units that are also words or numbering letters do not count.
     if (byBlank && !preposition &&
         (!isMeasured(unit) || behind == "in" || behind == "min" || behind == "p" || behind == "m" ||
          behind == "h" || behind == "#" || behind == "thou" || behind == "MN" || behind == "T"))
@@ -340,7 +340,7 @@ SplitTitle splitTitle(std::string_view given) {
     if (!byBlank && unit.kind == ColumnUnit::Kind::other && behind.size() < 2) continue;
     return {std::string(trimmed(title.substr(0, cut))), unit};
   }
-  // "ForceLb", "travelMm": where a capital begins, behind a name of what the unit measures.
+  // The unit may begin with a capital letter, if the name before it fits the unit: "ForceLb", "travelMm".
   for (std::size_t i = 1; i < title.size() && unknown.text.empty(); ++i) {
     if (!(title[i - 1] >= 'a' && title[i - 1] <= 'z' && title[i] >= 'A' && title[i] <= 'Z')) continue;
     const ColumnUnit unit = unitOf(title.substr(i));

@@ -28,7 +28,8 @@ enum class ColumnWord : std::uint32_t {
   spread = 1 << 14,  ///< minimum, maximum, deviation
   copy = 1 << 15,    ///< peak hold, filtered, set point: a second form of another column
   unit = 1 << 16,
-  raw = 1 << 17,     ///< as the sensor gave it: alone another quantity, beside a quantity nothing
+  /// as the sensor sends it; alone it is another quantity, beside a quantity it has no effect
+  raw = 1 << 17,
   neutral = 1 << 18  ///< any quantity: "channel", "value"
 };
 
@@ -57,8 +58,8 @@ struct ColumnUnit {
   bool isOfButton() const { return kind == Kind::displacement || kind == Kind::force; }
 };
 
-/// The unit that a whole text is: "mm", "(x0.1 N)", "N/mm²". `unknown` if it is none that this knows, `none`
-/// if it is empty.
+/// The unit that makes up a whole text: "mm", "(x0.1 N)", "N/mm²". `unknown` if the text is no known unit,
+/// `none` if it is empty.
 ColumnUnit unitOf(std::string_view text);
 
 /// The unit at the end of a title, and the title without it.

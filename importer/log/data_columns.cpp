@@ -44,7 +44,7 @@ std::string_view withoutComment(std::string_view cell) {
   return cell;
 }
 
-/// Text outside of brackets; the whole where nothing else is there.
+/// The text outside of brackets; the whole text if all of it is in brackets.
 std::string outsideBrackets(const std::string& text) {
   std::string outside;
   int depth = 0;
@@ -80,8 +80,8 @@ ColumnQuantity quantityOf(const KnownWords& words) {
     if (word.has(ColumnWord::raw) && head == ColumnQuantity::none) head = ColumnQuantity::other;
     for (const auto& [meaning, quantity] : kinds) {
       if (!word.has(meaning)) continue;
-      // The last noun says what it is, in Romance languages the first; numbers and letters say less than
-      // names.
+      // A compound's last noun names the quantity (in Romance languages the first). Indices, cycles and
+      // single letters give way to real quantities.
       if (isWeak(head) || (!words.headFirst && !isWeak(quantity))) head = quantity;
       break;
     }
@@ -89,14 +89,15 @@ ColumnQuantity quantityOf(const KnownWords& words) {
   return head;
 }
 
-/// A number followed by something: "0.1 mm/s" as a title says at what speed, not in which unit.
+/// Returns true for a number with other text: "0.1 mm/s" as a title states the speed of the record, not the
+/// unit.
 bool isCondition(std::string_view title) {
   for (const std::string_view sign : {"-", "+", "±", "−"})
     if (title.starts_with(sign)) title.remove_prefix(sign.size());
   return !title.empty() && title.front() >= '0' && title.front() <= '9';
 }
 
-/// A unit in brackets behind a condition is that of the numbers: "85 °C (N)".
+/// Returns true for a condition that is followed by the unit of the numbers in brackets: "85 °C (N)".
 bool isConditionWithUnit(std::string_view title) {
   const ColumnUnit unit = splitTitle(title).unit;
   return isCondition(title) && (title.ends_with(')') || title.ends_with(']')) && unit.isOfButton();
@@ -151,7 +152,8 @@ double likelihood(const DataColumn& column, bool force) {
   else if (column.unit.kind == Kind::none && !column.title.empty() && !column.has(ColumnWord::press) &&
            !column.has(ColumnWord::release))
     sum -= 1;
-  // "Stress" in newtons is a force with an odd name; "Peak force", "Filtered force" are second forms of one.
+  // Titles such as "Peak force" and "Filtered force" name a second form of a force. "Stress" with the unit N
+  // may still be a force.
   if (column.words.has(ColumnWord::copy) || column.words.has(ColumnWord::spread)) sum -= 3;
   if (column.words.has(ColumnWord::other) && column.quantity != ColumnQuantity::other) sum -= 1.5;
   if (column.isConstant()) sum -= 15;
@@ -196,7 +198,7 @@ class ColumnFinder {
         const std::string_view cell = table_.cell(row, c);
         if (cell.empty()) continue;
         const auto number = numberIn(cell, table_.style);
-        // "1 mm" is a number with its unit, "1 Switch A" is not.
+        // "1 mm" is a number with a unit; "1 Switch A" is a text.
         const bool isNumber =
             number && (number->rest.empty() || unitOf(number->rest).kind != ColumnUnit::Kind::unknown);
         if (!isNumber || !std::isfinite(number->value)) {
@@ -246,7 +248,7 @@ class ColumnFinder {
         text_.push_back(c);
     }
     if (core_.size() < 2) core_ = numeric_;
-    // A row of numbers that is the heading of others: "Travel" over 0.1, 0.5 ... has text cells.
+    // A row of conditions above pairs of columns is a heading: "-40 °C;;85 °C;".
     return numeric_.size() >= 2;
   }
 
@@ -260,7 +262,7 @@ class ColumnFinder {
     return std::ranges::count_if(numeric_, [&](std::size_t c) { return isNumber(row, c); }) >= 2;
   }
 
-  /// The texts of a row, numbers and blanks left out, to compare headings.
+  /// The texts of a row without numbers and blanks, for comparing headings.
   std::string headingText(std::size_t row) const {
     std::string text;
     for (std::size_t c = 0; c < facts_[row].width; ++c)
@@ -269,7 +271,7 @@ class ColumnFinder {
     return text;
   }
 
-  /// A cell that may be a title: "Force", and "0.1 mm/s" too.
+  /// Returns true for a cell that may be a title: any text, or a number with a unit, such as "0.1 mm/s".
   bool isTitle(std::size_t row, std::size_t column) const {
     const std::string_view cell = table_.cell(row, column);
     if (cell.empty()) return false;
@@ -278,17 +280,17 @@ class ColumnFinder {
     return number && !number->rest.empty();
   }
 
-  /// Rows of headings right above a row of data: [from, to).
+  /// Range [from, to) of heading rows directly above a row of data.
   std::pair<std::size_t, std::size_t> headingAbove(std::size_t dataRow) const {
     constexpr std::size_t mostLines = 6;
     std::size_t to = dataRow;
-    // One blank row may stand between.
+    // One blank row may separate headings and data.
     if (to > 0 && facts_[to - 1].isBlank()) --to;
     const std::size_t lowest = to;
     std::size_t from = to;
     while (from > 0 && to - from < mostLines) {
       const std::size_t row = from - 1;
-      // One blank row may also stand above remarks.
+      // One blank row may also separate headings from remarks below them.
       if (from == to && to < lowest && facts_[row].isBlank() && lowest - to < mostLines) {
         --to, --from;
         continue;
@@ -308,29 +310,29 @@ class ColumnFinder {
           from < to && (over >= 2 || (over == 1 && facts_[row].width >=
                                                        std::min(facts_[from].width, numeric_.back() + 1)));
       if (!covers && !isGroup) break;
-      // "Name: value" lines of a preamble.
+      // Lines such as "Name: value" belong to the preamble.
       if (facts_[row].texts <= 2 && numeric_.size() > 2 && facts_[row].width <= 2) break;
       if (from < to && numeric_.size() == 2 && !isGroup) break;
       if (from < to && isPreambleLine(row)) break;
       --from;
     }
     if (from == to) from = to = lowest;
-    // Texts right below data are a heading only if they name something measured: "over range,error" is a row
-    // that failed.
+    // Texts directly below data are a heading only if they name a measured quantity. "over range,error" is a
+    // failed row.
     std::size_t before = from;
     while (before > 0 && facts_[before - 1].isVoid() && !isData(before - 1)) --before;
     if (from < to && before > 0 && isData(before - 1) && !namesColumns(from, to)) from = to;
     return {from, to};
   }
 
-  /// Remarks in columns beside those of the data, and nothing in these.
+  /// Returns true for a row with remarks in other columns, and nothing in the data's columns.
   bool isBesideColumns(std::size_t row) const {
     return !facts_[row].isBlank() &&
            std::ranges::all_of(core_, [&](std::size_t c) { return table_.cell(row, c).empty(); });
   }
 
-  /// One text at the left above the titles of columns, "Release" or "Release;;;": it names the table, not its
-  /// first column.
+  /// Returns true for a single text at the left, above the titles of the columns. "Release" or "Release;;;"
+  /// names the table, not its first column.
   bool isTableTitle(std::size_t row, std::size_t below) const {
     if (facts_[row].texts != 1 || facts_[row].numbers > 0) return false;
     std::size_t at = 0;
@@ -338,7 +340,8 @@ class ColumnFinder {
     std::size_t titles = 0;
     for (const std::size_t c : numeric_) titles += isTitle(below, c);
     if (at > numeric_.front() || titles < 2) return false;
-    // A quantity may be said once above its units; a word such as "load" is a stroke's there.
+    // A quantity may be named once above its units. A word that may also name a stroke, such as "load", is
+    // not taken as a quantity here.
     const SplitTitle split = splitTitle(table_.cell(row, at));
     bool displacement = false, force = false;
     for (const KnownWords::Word& word : knownWordsIn(split.name).words)
@@ -360,7 +363,7 @@ class ColumnFinder {
     return false;
   }
 
-  /// Numbers of one unit: "-40 °C;85 °C".
+  /// Returns true if the numbers of a row all have one unit: "-40 °C;85 °C".
   bool holdsConditions(std::size_t row) const {
     std::set<std::string_view> units;
     for (std::size_t c = 0; c < facts_[row].width; ++c)
@@ -368,11 +371,12 @@ class ColumnFinder {
     return facts_[row].numbers >= 2 && units.size() == 1 && !units.begin()->empty();
   }
 
-  /// A line of a preamble that happens to have as many cells as the data: "Serial,123456", "Date;2024-05-01".
+  /// Returns true for a line of a preamble that has as many cells as the data: "Serial,123456",
+  /// "Date;2024-05-01".
   bool isPreambleLine(std::size_t row) const {
     if (facts_[row].numbers > 0) return !holdsConditions(row);
-    // Below it stand names of quantities; above these a line without any is a group's name only where cells
-    // are left empty.
+    // The titles of the columns follow below. A line above them without known words can only be a group
+    // heading if it has empty cells.
     if (facts_[row].texts >= numeric_.size() && numeric_.size() <= 3) {
       std::size_t known = 0;
       for (std::size_t c = 0; c < facts_[row].width; ++c) {
@@ -406,8 +410,9 @@ class ColumnFinder {
     return titles;
   }
 
-  /// Brings a further block, whose columns stand in another order or have other units of the same quantities,
-  /// into the columns and units of the longest. Returns false, and changes nothing, if its titles are others.
+  /// Converts a further block to the columns and units of the longest block, if its columns are in another
+  /// order or in other units of the same quantities. Returns false, and changes nothing, if its titles
+  /// differ.
   bool bringIntoColumns(std::size_t firstRow) {
     std::size_t end = firstRow;
     while (end < table_.rows() && isData(end)) ++end;
@@ -460,7 +465,7 @@ class ColumnFinder {
         continue;
       }
       if (interrupted || row == 0) {
-        // A run of rows under another heading is another table.
+        // A run of rows under another heading belongs to another table.
         const std::string own = headingOf(row);
         if (row == mainFrom_)
           foreign = false;
@@ -516,8 +521,8 @@ class ColumnFinder {
     std::ranges::sort(data_.columns, {}, &DataColumn::index);
   }
 
-  /// Rows that are named by their number, 1 to n, and no title above these names, as R writes them: every
-  /// title stands one cell to the left of its column.
+  /// Returns true for a first column that numbers the rows from 1, without a title above it. R writes tables
+  /// so: every title stands one cell to the left of its column.
   bool namesRows() const {
     const auto [from, to] = heading_;
     const DataColumn& first = data_.columns.front();
@@ -528,7 +533,7 @@ class ColumnFinder {
       for (std::size_t c = data_.columns.back().index; c < table_.cells(row); ++c)
         if (!table_.cell(row, c).empty()) return false;
     if (table_.cell(to - 1, data_.columns.back().index - 1).empty()) return false;
-    // A title that may be the row numbers' own, above a last column that says nothing, shifts nothing.
+    // Not if the first title may be that of the row numbers, or if the last column is constant.
     const SplitTitle title = splitTitle(table_.cell(to - 1, 0));
     const ColumnQuantity quantity = quantityOf(knownWordsIn(title.name));
     const DataColumn& last = data_.columns.back();
@@ -545,7 +550,8 @@ class ColumnFinder {
         continue;
       }
       for (std::size_t row = to; row-- > from;) {
-        // "# displacement force" as NumPy writes it, over rows that do not begin with the sign.
+        // NumPy writes "# displacement force": only the heading begins with the sign, so its cells are one to
+        // the right.
         const bool isMarked =
             table_.cell(row, 0) == "#" && table_.cells(row) > data_.columns.back().index + 1;
         const std::size_t at = isMarked ? column.index + 1 : column.index - shift;
@@ -562,7 +568,8 @@ class ColumnFinder {
       }
     }
     if (shift > 0) return;
-    // A heading over several columns: the cells to its right are empty. The topmost line that has such a gap.
+    // The topmost heading line with empty cells is a group heading: each text applies to the empty cells on
+    // its right too.
     for (std::size_t row = from; row + 1 < to; ++row) {
       std::string carried;
       bool hasGap = false;
@@ -575,7 +582,7 @@ class ColumnFinder {
         for (DataColumn& column : data_.columns) {
           if (column.index != c || carried.empty()) continue;
           column.group += (column.group.empty() ? "" : " ") + carried;
-          // The cell's own text is already a part of the title.
+          // The cell's own text is already part of the title.
           if (!cell.empty()) {
             const std::string name = splitTitle(cell).name;
             if (column.title.starts_with(name) && column.title.size() > name.size())
@@ -586,7 +593,7 @@ class ColumnFinder {
     }
   }
 
-  /// Units behind the numbers, or in a column of their own to the right of them.
+  /// Reads units that follow the numbers, or that stand in a separate column on the right.
   void readUnitsBeside() {
     constexpr std::size_t looked = 50;
     for (std::size_t i = 0; i < data_.columns.size(); ++i) {
@@ -612,7 +619,7 @@ class ColumnFinder {
     }
   }
 
-  /// "UNIT = gf,mm", "Force unit: cN", "steps_per_mm = 800".
+  /// Reads units from lines above the table: "UNIT = gf,mm", "Force unit: cN", "steps_per_mm = 800".
   void readUnitsAbove() {
     for (const std::string& caption : data_.captions) {
       std::vector<std::string_view> cells;
@@ -643,7 +650,7 @@ class ColumnFinder {
         if (units.size() == 1 && quantity != ColumnQuantity::none &&
             giveAxisUnit(numeric, quantity, unitOf(units.front())))
           continue;
-        // LabVIEW names those of its channels, not that of the first column.
+        // LabVIEW lists the units of its channels, without that of the first column.
         const std::size_t before =
             units.size() + 1 == numeric.size() && quantity == ColumnQuantity::forceWeak ? 1 : 0;
         if (units.size() + before != numeric.size()) continue;
@@ -658,8 +665,8 @@ class ColumnFinder {
     }
   }
 
-  /// Reads a scale such as "CH2 load cell 1 V = 0.5 N" for the column's unit. Returns true if the cell
-  /// states one.
+  /// Reads a scale as the column's unit, such as "CH2 load cell 1 V = 0.5 N". Returns true if the cell states
+  /// one.
   bool readScale(std::string_view cell, DataColumn& column) const {
     const std::size_t sign = cell.find('=');
     if (sign == std::string_view::npos) return false;
@@ -679,8 +686,9 @@ class ColumnFinder {
     return true;
   }
 
-  /// "X unit: mm" is of the column titled X; where none is, of the only one that measures the unit's
-  /// quantity, else X is the first of two. Returns false if there is no such column.
+  /// Gives the unit of a line such as "X unit: mm" to a column: to the one titled X; else to the only one
+  /// that measures the unit's quantity; else, for X, to the first of two columns. Returns false if there is
+  /// no such column.
   static bool giveAxisUnit(const std::vector<DataColumn*>& numeric, ColumnQuantity axis,
                            const ColumnUnit& unit) {
     const auto only = [&](ColumnQuantity quantity) {
@@ -701,7 +709,7 @@ class ColumnFinder {
     return true;
   }
 
-  /// "counts_per_newton = 25000", "mm per step: 0.00125".
+  /// Reads a ratio as a column's unit: "counts_per_newton = 25000", "mm per step: 0.00125".
   void readRatio(std::string_view name, std::string_view value) {
     std::string plain(name);
     std::ranges::replace(plain, '_', ' ');
@@ -729,10 +737,10 @@ class ColumnFinder {
     }
   }
 
-  /// A title in which the tables' list names no quantity: the charts' list may.
+  /// For a title in which the words for tables name no quantity, tries the words for charts.
   static void settleName(DataColumn& column) {
     if (column.quantity != ColumnQuantity::none || column.title.empty()) return;
-    // "Sample A" is a record's name, "Samples" a count.
+    // "Sample A" names a record, "Samples" is a count.
     if (column.words.has(ColumnWord::record) && column.words.words.size() + column.words.unknown > 1) return;
     const Quantity named = quantityNamedIn(outsideBrackets(column.title), TextSource::exact).quantity;
     column.isUnknownName = named == Quantity::none && column.words.unknown > 0 && column.words.words.empty();
@@ -741,8 +749,8 @@ class ColumnFinder {
     if (named == Quantity::travel) column.quantity = ColumnQuantity::displacement;
   }
 
-  /// A word that names a force or a displacement in one language and another quantity in the next ("charge")
-  /// counts where the unit agrees; without a unit it is a name that no list knows.
+  /// A word such as "charge" names a force or a displacement in one language and another quantity in another.
+  /// The other quantity is dropped; if the column has no unit, its name counts as unknown.
   static void settleSharedWords(DataColumn& column) {
     constexpr auto other = static_cast<std::uint32_t>(ColumnWord::other);
     for (KnownWords::Word& word : column.words.words) {
@@ -758,22 +766,22 @@ class ColumnFinder {
     column.groupWords = knownWordsIn(outsideBrackets(splitTitle(column.group).name));
     column.quantity = quantityOf(column.words);
     settleName(column);
-    // The heading above counts where the column's own says nothing.
+    // The group heading applies if the column's own title names neither quantity nor unit.
     if (column.quantity == ColumnQuantity::none && column.unit.kind == ColumnUnit::Kind::none &&
         !column.group.empty()) {
       column.quantity = quantityOf(column.groupWords);
       const ColumnUnit unit = splitTitle(column.group).unit;
       if (unit.isOfButton() || unit.kind == ColumnUnit::Kind::time) column.unit = unit;
     }
-    // A word that names a stroke and a quantity ("load", "compression") is the stroke's where the unit is
-    // another quantity's.
+    // A word that can name both a stroke and a quantity ("load", "compression") names the stroke if the unit
+    // measures another quantity.
     if (column.unit.kind == ColumnUnit::Kind::displacement && column.quantity == ColumnQuantity::force &&
         column.words.has(ColumnWord::displacement))
       column.quantity = ColumnQuantity::displacement;
     if (column.unit.kind == ColumnUnit::Kind::force && column.quantity == ColumnQuantity::displacement &&
         (column.words.has(ColumnWord::force) || column.words.has(ColumnWord::press)))
       column.quantity = column.words.has(ColumnWord::force) ? ColumnQuantity::force : ColumnQuantity::none;
-    // Ounces are a force where a force is named, else of anything.
+    // Ounces are a unit of force only if the title names a force.
     if (lowered(column.unit.text) == "oz" && !column.title.empty() && !column.has(ColumnWord::force) &&
         !column.has(ColumnWord::forceWeak))
       column.unit.kind = ColumnUnit::Kind::unknown;
@@ -782,7 +790,7 @@ class ColumnFinder {
     weigh(column);
   }
 
-  /// Marks a title that names a condition, not a quantity: "0 cycles (N)" counts no cycles.
+  /// Marks a title that names a condition instead of a quantity: "0 cycles (N)" is not a number of cycles.
   static void settleRecordName(DataColumn& column) {
     using Kind = ColumnUnit::Kind;
     column.namesRecord =
@@ -804,7 +812,8 @@ class ColumnFinder {
   DataTable data_;
 };
 
-/// Few rows that begin with a name and go on in numbers: columns written as rows.
+/// Returns true if columns were written as rows: a few rows that each begin with a name and continue with
+/// numbers.
 bool isTransposed(const Table& table) {
   constexpr std::size_t mostRows = 12, fewestColumns = 13;
   std::size_t named = 0, filled = 0;

@@ -12,7 +12,7 @@
 
 namespace detent::importer {
 
-/// The quantity a column measures, by its words.
+/// The quantity that a column measures, according to the words of its title.
 enum class ColumnQuantity {
   none,
   displacement,
@@ -28,23 +28,23 @@ enum class ColumnQuantity {
 
 struct DataColumn {
   std::size_t index = 0;  ///< in the table, from 0
-  std::string title;      ///< all of its heading, without the unit; may be empty
-  std::string group;      ///< a heading above that it shares with columns beside it
+  std::string title;      ///< whole heading without the unit; may be empty
+  std::string group;      ///< heading above the title that neighbouring columns share
   ColumnUnit unit;
   KnownWords words, groupWords;
   ColumnQuantity quantity = ColumnQuantity::none;
   std::vector<double> values;  ///< one for each data row; NaN where there is no number
   std::size_t count = 0;       ///< finite values
   double low = 0, high = 0;
-  int decimals = 0;  ///< the finest last digit counts 10^-decimals of its unit
+  int decimals = 0;  ///< the last digit of the finest number counts 10^-decimals of the unit
   bool isInteger = false;
-  bool isText = false;         ///< words instead of numbers
-  bool isUnknownName = false;  ///< its title has words, and no list knows one of them
+  bool isText = false;         ///< true: words, not numbers
+  bool isUnknownName = false;  ///< the title has words, but none that the lexicon knows
   bool namesRecord = false;    ///< titled by a condition or a specimen: "85 °C (N)", "0 cycles", "Switch A"
   bool ratioGiven = false;     ///< its unit comes from a line such as "steps_per_mm = 800"
 
   bool isConstant() const { return !(high > low); }
-  /// 1, 2, 3, ...: the number of a row.
+  /// True for the numbers of rows: 1, 2, 3, ...
   bool countsRows() const {
     constexpr std::size_t fewest = 8;
     return isInteger && count >= fewest && high - low + 1 == static_cast<double>(count) && low <= 1;
@@ -52,16 +52,17 @@ struct DataColumn {
   bool has(ColumnWord word) const { return words.has(word) || groupWords.has(word); }
   /// "2 \"Force (N)\"", for messages.
   std::string label() const;
-  double displacement = 0, force = 0;  ///< log-likelihood of the role, by title, unit and values
+  /// log-likelihood that the column is the displacement, or the force, by its title, unit and values
+  double displacement = 0, force = 0;
 };
 
-/// Takes a unit given by hand for the column's own, whatever the file says.
+/// Replaces the unit that the file states by one given by hand.
 void giveUnit(DataColumn& column, ColumnUnit unit);
 
 /// An interruption of the data by blank rows or rows without numbers.
 struct DataBreak {
   std::size_t row = 0;  ///< the data row after the break
-  std::string text;     ///< of the rows between; empty: blank
+  std::string text;     ///< text of the rows between; empty if they are blank
 };
 
 struct DataTable {

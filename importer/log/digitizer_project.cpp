@@ -92,7 +92,8 @@ class Calibration {
   std::array<double, 4> value_{};
 };
 
-/// A point's value as the project says it; other programs leave it out, then from its place on the page.
+/// The value of a point as the project states it. Other programs leave it out; then it is computed from the
+/// point's place on the page.
 std::optional<CurvePoint> pointOf(const Json& each, const std::optional<Calibration>& calibration) {
   if (!each.is_object()) return {};
   const Json* value = listAt(each, "value");
@@ -178,8 +179,8 @@ RecordedSwitch switchOf(const TracedSet& press, const TracedSet* release) {
   return one;
 }
 
-/// Two sets of which neither name says a stroke: the lower one is the release, a button takes back less than
-/// it was given.
+/// For two sets whose names say no stroke: the lower one is the release, because a button returns less force
+/// than it takes.
 std::vector<RecordedSwitch> pairOfUnnamed(const std::vector<TracedSet>& sets) {
   const bool inOrder = meanForce(sets[0].points) >= meanForce(sets[1].points);
   RecordedSwitch one = switchOf(sets[inOrder ? 0 : 1], &sets[inOrder ? 1 : 0]);

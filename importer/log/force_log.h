@@ -13,7 +13,7 @@
 
 namespace detent::importer {
 
-/// Columns of a table by the words of their titles or by number, from 1; empty: found.
+/// Columns of a table, by words of their titles or by number, from 1; an empty one is found.
 struct ColumnHints {
   std::string displacement, force, releaseDisplacement, releaseForce, stroke, cycle;
   bool operator==(const ColumnHints&) const = default;
@@ -25,7 +25,7 @@ struct LogHints {
   bool swapStrokes = false;
   std::string curve = {};  ///< of several records or switches in a file: name, number from 1, or "mean"
   ColumnHints columns = {};
-  std::string releasePath = {};  ///< a second file, of the release alone; empty: none
+  std::string releasePath = {};  ///< a second file, which holds only the release; empty: none
 };
 
 /// Speed of a recorded stroke: the mean from 10 to 90 % of the travel, and the ratio of the faster half of
@@ -41,7 +41,7 @@ struct ForceLog {
   double preload_N = 0;                                    ///< offset removed (or 0)
   double noise_mm = 0, noise_N = 0;                        ///< estimated from the samples
   std::optional<double> operatingPoint_mm, resetPoint_mm;  ///< only if the file states them
-  /// Of the first press and of the release after it; empty without a column of times.
+  /// Speeds of the first press and of the release after it; empty without a column of times.
   std::optional<StrokeSpeed> pressSpeed, releaseSpeed;
   long rowsRead = 0, rowsSkipped = 0;
   double confidence = 1;  ///< margin to the best other reading that gives a different button
@@ -61,28 +61,28 @@ struct LogReading {
   std::vector<ListedRecord> records;               ///< of the best interpretation
   std::vector<ExplainedInterpretation> best = {};  ///< at most three
   std::optional<Question> question =
-      {};  ///< only if `log` is a Failure notCertain; its choices are not tried here
+      {};  ///< only if `log` is a Failure notCertain; its choices have not been tried
 };
 
-/// Returns true if a file is a table, a spreadsheet, JSON or TAR by its content; by its ending where it
-/// cannot be read.
+/// Returns true if a file's content is a table, a spreadsheet, JSON or TAR; for an unreadable file its ending
+/// decides.
 bool isForceLogPath(const std::string& path);
 
 LogReading readLog(const std::string& path, const LogHints& hints = {}, const Progress& progress = {});
 
-/// The log of readLog alone.
+/// The log that readLog finds, without records and question.
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {},
                               const Progress& progress = {});
 
-/// The files of releases by those of the presses that they belong to: in one folder, named alike but for the
+/// Files of releases, by the files of their presses: files in one folder with the same name except for the
 /// word of the stroke ("NAME.downstroke.csv", "NAME.upstroke.csv").
 std::map<std::string, std::string> pairedFiles(const std::vector<std::string>& paths);
 
-/// A path without the word of a stroke that stands at the end of its name; as it is where none does.
+/// A path without a stroke's word at the end of its name; other paths unchanged.
 std::string withoutStrokeWord(const std::string& path);
 
-/// Names of the records of a file, as `curve` takes their numbers; empty ones where it gives none, none where
-/// it is no log.
+/// Names of a file's records, in the order of the numbers that StrokeHints::curve takes. A name is empty if
+/// the file has none; no names if the file is no log.
 std::vector<std::string> recordNames(const std::string& path);
 
 }  // namespace detent::importer

@@ -95,7 +95,7 @@ class RecordFormer {
     return run;
   }
 
-  /// Returns false if the displacement only trembles.
+  /// Returns false if the displacement changes by noise only.
   static bool moves(const std::vector<Sample>& run) {
     std::vector<double> x;
     for (const Sample& each : run) x.push_back(each.point.displacement_mm);
@@ -106,11 +106,12 @@ class RecordFormer {
     return high > low;
   }
 
-  /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single
-  /// outliers have no say.
+  /// Turns signs so that displacement grows on a press and pressing forces are positive, whatever signs the
+  /// instrument uses. Single outliers have no effect.
   void settleSigns(std::vector<std::vector<Sample>>& runs) {
     std::vector<CurvePoint> calm;
-    constexpr std::size_t handful = 16;  // rows written by hand or thinned out: each of them counts
+    // below this number every row counts: it was written by hand or thinned
+    constexpr std::size_t handful = 16;
     for (const auto& run : runs) {
       constexpr std::size_t enough = 4096;  // points
       const std::size_t every = run.size() / enough + 1;
@@ -128,8 +129,8 @@ class RecordFormer {
     for (const CurvePoint& p : calm)
       together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
     const double sign = made_.forcesTurned ? -1 : 1;
-    // A dome that collapses has most of its force in the first half of its travel, so only a press that ends
-    // softer than it began runs backwards.
+    // The displacement is turned only if the press also ends softer than it began, because a dome that
+    // collapses has most of its force in the first half of its travel.
     made_.displacementTurned = sign * together < 0 && sign * forceAtEnds(calm) < 0;
     for (auto& run : runs)
       for (Sample& each : run) {
@@ -138,7 +139,7 @@ class RecordFormer {
       }
   }
 
-  /// Mean force over the last twentieth of the range of displacements, less that over the first.
+  /// Mean force over the last twentieth of the displacement range, minus that over the first twentieth.
   static double forceAtEnds(const std::vector<CurvePoint>& samples) {
     constexpr double endShare = 0.05;
     const auto [least, most] = std::ranges::minmax(samples, {}, &CurvePoint::displacement_mm);
@@ -159,7 +160,7 @@ class RecordFormer {
       std::ranges::reverse(stroke);
   }
 
-  /// Press and release columns beside each other, of one switch or of several by name.
+  /// Joins columns of presses with columns of releases beside them, by name if there are several switches.
   void joinBeside(const std::vector<std::vector<Sample>>& runs) {
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (made_.groups[i].stroke == Stroke::press)
@@ -195,7 +196,8 @@ class RecordFormer {
     nameRows(cuts);
     for (const DataBreak& each : data_.breaks) {
       if (each.text.empty()) continue;
-      // Headings that are only repeated, as on every page of a printout, cut nothing; a jump back does.
+      // Repeated headings, as on every page of a printout, cut nothing. If the displacement jumps back there,
+      // that cuts.
       const std::string first = each.text.substr(0, each.text.find('\n'));
       const KnownWords named = knownWordsIn(first);
       const bool isTitle = named.has(ColumnWord::displacement) && named.has(ColumnWord::force);
@@ -213,7 +215,7 @@ class RecordFormer {
         cuts.at[each.row].clear();
       }
     }
-    // The line above the first block names it, as the breaks name the others.
+    // The line above the first block names it, as the lines in the breaks name the other blocks.
     if (!data_.breaks.empty() && !cuts.at.empty() && !data_.captions.empty()) {
       const std::string& caption = data_.captions.back();
       const KnownWords named = knownWordsIn(caption);
@@ -226,8 +228,8 @@ class RecordFormer {
     return cuts;
   }
 
-  /// A column whose cells say press or release, in words or as a number that changes where the displacement
-  /// turns.
+  /// Labels rows by a column whose cells state press or release, in words or by two numbers of which each
+  /// stands for one direction of travel.
   void labelRows(Cuts& cuts, const std::vector<Sample>& run) {
     for (std::size_t c = 0; c < data_.columns.size(); ++c) {
       const DataColumn& column = data_.columns[c];
@@ -271,7 +273,7 @@ class RecordFormer {
     for (const double v : column.values)
       if (!std::isnan(v) && values.insert(v).second && values.size() > 2) return false;
     if (values.size() != 2) return false;
-    // Way travelled while each value stands.
+    // distance travelled while the column has each value
     std::map<double, double> up, down;
     for (std::size_t i = 1; i < run.size(); ++i) {
       const double v = column.values[run[i].row], before = column.values[run[i - 1].row];
@@ -292,7 +294,7 @@ class RecordFormer {
     return true;
   }
 
-  /// A column that numbers or names cycles or specimens.
+  /// Names rows by a column that numbers or names cycles or specimens.
   void nameRows(Cuts& cuts) {
     for (std::size_t c = 0; c < data_.columns.size(); ++c) {
       const DataColumn& column = data_.columns[c];
@@ -317,7 +319,7 @@ class RecordFormer {
     }
   }
 
-  /// A run parted by cuts and turning points.
+  /// The strokes of a run, divided at cuts and turning points.
   std::vector<FoundStroke> strokesOf(const std::vector<Sample>& run, const Cuts& cuts) const {
     const std::vector<CurvePoint> all = pointsOf(run);
     const auto [least, most] = std::ranges::minmax(all, {}, &CurvePoint::displacement_mm);
@@ -328,8 +330,8 @@ class RecordFormer {
     const auto labelOf = [&](std::size_t i) {
       return cuts.strokeOfRow.empty() ? std::nullopt : cuts.strokeOfRow[run[i].row];
     };
-    // The cells of an index column say nothing; a jump against the way before and after it begins a new
-    // record.
+    // A column of row numbers does not mark records. A jump against the direction of travel before and after
+    // it begins a new record.
     const auto isJump = [&](std::size_t i) {
       constexpr double leastShare = 0.5;
       const double step = x[i] - x[i - 1];
@@ -383,7 +385,8 @@ class RecordFormer {
     }
     bool first = true;
     for (const StrokeSpan& span : spansOf(part, turn)) {
-      // At the turning point the last row of the stroke before may stand at the same place.
+      // After a turning point, the first rows may still be at the same displacement; they belong to the
+      // previous stroke.
       std::size_t from = span.from;
       while (from + 2 < span.to && part[from + 1].displacement_mm <= part[from].displacement_mm &&
              span.stroke == Stroke::press)
@@ -397,9 +400,10 @@ class RecordFormer {
 
   // -- strokes joined to records ----------------------------------------------------------------------------
 
-  static constexpr double kWhole = 0.6;          // share of the longest press: an aborted one is less
+  static constexpr double kWhole = 0.6;          // share of the longest press; a shorter press was aborted
   static constexpr double kLeastRelease = 0.12;  // share of the longest press; shorter releases are twitches
-  // share of the longest press; less is where the stage stopped by chance
+  // share of the longest press; a press that begins this close to the beginning of the aborted one does not
+  // continue it
   static constexpr double kMoved = 0.03;
 
   void joinRun(const std::vector<FoundStroke>& strokes) {
@@ -434,7 +438,7 @@ class RecordFormer {
       if (open && made_.records[*open].release.empty() && each.travel >= kLeastRelease * longest) {
         made_.records[*open].release = each.points;
       } else if (open && resumed) {
-        // The stage paused on the way up and went on: append the part above the pause.
+        // The stage paused during the release. The part after the pause is appended.
         std::vector<CurvePoint>& release = made_.records[*open].release;
         const double reached = release.back().displacement_mm;
         for (const CurvePoint& p : each.points)
@@ -444,7 +448,7 @@ class RecordFormer {
         firstRelease = each.points;
       }
     }
-    // A run that begins at the bottom: the release before the only press.
+    // A run that begins with a release, whose press comes later.
     if (firstRelease.empty()) return;
     for (LogRecord& record : made_.records)
       if (record.release.empty()) {
@@ -455,7 +459,7 @@ class RecordFormer {
       made_.records.push_back({"", {}, std::move(firstRelease)});
   }
 
-  /// A press that was begun, taken back in part and carried on: its beginning is the first one's.
+  /// Puts the beginning of an aborted press in front of the press that continued it.
   void joinAborted(const FoundStroke& aborted, double longest, LogRecord& record) {
     const double from = aborted.points.front().displacement_mm,
                  reached = aborted.points.back().displacement_mm;
@@ -506,8 +510,8 @@ TableLack formRecords(const RecordRequest& request, LogInterpretation& made) {
 
 namespace {
 
-/// Returns true if the points scatter around their local line like two values rather than like noise: their
-/// distances from it are alike.
+/// Returns true if all points have nearly the same distance from their local line, as on two curves. The
+/// distances of noise vary.
 bool liesOnTwoCurves(const std::vector<CurvePoint>& points) {
   constexpr std::size_t window = 8;  // points
   double sum = 0, windows = 0;

@@ -23,7 +23,7 @@ using Columns = std::vector<std::size_t>;  // positions in DataTable::columns
 constexpr double kNamed = 2;        // log-likelihood from which a column counts as named
 constexpr double kPossible = -1.5;  // log-likelihood down to which a column may be one
 
-/// The column that a person gave by number or title; nullopt: none is called so.
+/// The column that the user gave by number or title; nullopt if there is none with it.
 std::optional<std::size_t> columnGiven(const DataTable& data, const std::string& given) {
   const std::string wanted = lowered(trimmed(given));
   int number = 0;
@@ -82,7 +82,7 @@ double proportionOf(const DataColumn& a, const DataColumn& b) {
 /// Returns true if the values of `total` are the sum of the others'.
 bool isSum(const DataTable& data, std::size_t total, const Columns& others) {
   if (others.size() < 2) return false;
-  // Columns under headings of their own are switches, not parts of one.
+  // Columns under different headings belong to different switches and are no parts of one sum.
   for (const std::size_t c : others)
     if (data.columns[c].group != data.columns[total].group) return false;
   double worst = 0;
@@ -102,7 +102,7 @@ std::vector<CurvePoint> byDisplacement(std::vector<CurvePoint> stroke) {
   return stroke;
 }
 
-/// Force of a stroke that is sorted by displacement; beyond its ends the force there.
+/// Force of a stroke that is sorted by displacement; beyond its ends the force of the nearest end.
 double forceAt(const std::vector<CurvePoint>& sorted, double x) {
   const auto after = std::ranges::lower_bound(sorted, x, {}, &CurvePoint::displacement_mm);
   if (after == sorted.begin()) return sorted.front().force_N;
@@ -122,7 +122,7 @@ class Interpreter {
     chooseCandidates();
     if (result_.lack != TableLack::none) return std::move(result_);
     arrange();
-    // Units are weighed before records are copied: a table without units has dozens of readings.
+    // Units are weighed first and records copied later, because a table without units has dozens of readings.
     BestFew<WeighedUnits> weighed(kKept);
     TableLack lack = TableLack::strokes;
     for (std::size_t i = 0; i < arrangements_.size(); ++i) {
@@ -180,8 +180,8 @@ class Interpreter {
         all, [&](std::size_t c) { return (force ? column(c).force : column(c).displacement) >= kNamed; });
   }
 
-  /// Volts, counts: what a load cell gives before it is calibrated. A compound unit or a pressure is another
-  /// quantity.
+  /// Returns true for a force in volts or counts, as an uncalibrated load cell gives it. Compound units and
+  /// pressures belong to other quantities.
   static bool isForceInOtherUnit(const DataColumn& each) {
     const std::string& unit = each.unit.text;
     return !each.isText && !each.isConstant() && each.quantity == ColumnQuantity::force &&
@@ -219,7 +219,7 @@ class Interpreter {
     xs_ = namedOf(possibleX, false), fs_ = namedOf(possibleF, true);
     if (xs_.empty()) xs_ = possibleX;
     if (fs_.empty()) fs_ = possibleF;
-    // "Force (V)": a force in a unit that says nothing of newtons, and no other.
+    // A column such as "Force (V)" is taken if there is no other column of force. Its unit is unknown.
     if (fs_.empty() || !named(fs_, true))
       for (std::size_t c = 0; c < data_.columns.size(); ++c)
         if (isForceInOtherUnit(column(c)) && result_.unknownUnit.empty()) {
@@ -231,7 +231,7 @@ class Interpreter {
     for (const auto& [given, force] : {std::pair(givenX_, false), {givenF_, true}})
       if (given && column(*given).unit.kind == ColumnUnit::Kind::other && result_.unknownUnit.empty())
         result_.unknownUnit = column(*given).unit.text, result_.unknownUnitOfForce = force;
-    // A constant column measures nothing, and the reason names it.
+    // A constant column measures nothing; the failure then names this reason.
     const auto moves = [&](const Columns& all) {
       return std::ranges::any_of(all, [&](std::size_t c) { return !column(c).isConstant(); });
     };
@@ -251,7 +251,7 @@ class Interpreter {
       result_.lack = TableLack::force;
     else if ((stillDisplacement && !strokesNamed()) || !moves(xs_))
       result_.lack = TableLack::movement;
-    // One column cannot be displacement and force.
+    // One column cannot be both displacement and force.
     if (result_.lack == TableLack::none && xs_.size() == 1 && fs_ == xs_)
       result_.lack = column(xs_.front()).displacement > column(xs_.front()).force ? TableLack::force
                                                                                   : TableLack::displacement;
@@ -259,8 +259,8 @@ class Interpreter {
     if (!givenF_) dropCopies(fs_, true);
   }
 
-  /// Leaves out other forms of a column: the same in another unit, peak hold, filtered, bounds around a
-  /// mean, parts of a total, an axis that stands still.
+  /// Leaves out columns that repeat another one: in another unit, as peak hold, filtered, as bounds of a
+  /// mean, or as a part of a total. Axes that do not move are left out too.
   void dropCopies(Columns& all, bool force) {
     const auto strokeOf = [&](std::size_t c) { return columnStroke(c); };
     const auto erase = [&](auto is) {
@@ -290,7 +290,7 @@ class Interpreter {
         }
       }
     }
-    // Columns with the same readings in another unit or place count once: the first one is kept.
+    // Of columns with the same readings, in another unit or place, the first one is kept.
     Columns kept;
     for (const std::size_t c : all) {
       const bool copy = std::ranges::any_of(kept, [&](std::size_t other) {
@@ -305,8 +305,8 @@ class Interpreter {
     all = kept;
   }
 
-  /// The stroke that the words of a column name; words that name quantities too count only beside another
-  /// stroke's.
+  /// The stroke that a column's words name. A word that also names a quantity ("load") counts only if no
+  /// other word names a stroke.
   std::optional<Stroke> columnStroke(std::size_t c) const {
     const auto in = [](const KnownWords& known) -> std::optional<Stroke> {
       std::optional<Stroke> weak;
@@ -377,13 +377,13 @@ class Interpreter {
     const std::size_t firstX = made.groups.front().displacement, firstF = made.groups.front().force;
     made.evidence.add("displacement", column(firstX).label(), x / count);
     made.evidence.add("force", column(firstF).label(), f / count);
-    constexpr double byHand = 3;  // log-likelihood, as a unit in the title
+    constexpr double byHand = 3;  // log-likelihood, equal to that of a unit in the title
     if (hints_.xUnit && column(firstX).unit.kind == ColumnUnit::Kind::none)
       made.evidence.add("given", std::string(symbolOf(*hints_.xUnit)), byHand);
     if (hints_.yUnit && column(firstF).unit.kind == ColumnUnit::Kind::none)
       made.evidence.add("given", std::string(symbolOf(*hints_.yUnit)), byHand);
     made.evidence.add(evidence);
-    // Columns called forces that are left over.
+    // number of columns titled as forces that this arrangement does not use
     double left = 0;
     for (const std::size_t c : fs_)
       if (!used.contains(c) && (column(c).force >= kNamed || severalRecords_)) left += 1;
@@ -403,7 +403,7 @@ class Interpreter {
       offer({{x, fs_.front(), Stroke::press, ""}, {releaseX, releaseF, Stroke::release, ""}}, {});
       return;
     }
-    // Columns that name strokes are forces, whether a unit says so or not.
+    // Columns that name strokes are forces, with or without a unit.
     Columns stroked;
     bool release = false;
     for (const std::size_t c : fs_)
@@ -421,14 +421,14 @@ class Interpreter {
       }
     }
     findRecordColumns();
-    // One column of force, or none that is surely one: its rows, from first to last, hold all the strokes.
+    // If there is one column of force, or none that certainly is one, its rows contain all strokes.
     if (!severalRecords_ &&
         (!std::ranges::any_of(fs_, [&](std::size_t c) { return column(c).force >= kNamed; }) ||
          fs_.size() == 1 || givenF_)) {
       for (const std::size_t x : xs_)
         for (const std::size_t f : fs_)
           if (x != f) offer({{x, f, {}, ""}}, orderEvidence(x, f));
-      // Without titles: x and y of both strokes.
+      // Four columns without titles may be x and y of both strokes.
       if (data_.columns.size() == 4 && fs_.size() == 4 && xs_.size() == 4 && !givenX_ && !givenF_)
         offer({{0, 1, Stroke::press, ""}, {2, 3, Stroke::release, ""}}, orderEvidence(0, 1));
       return;
@@ -439,8 +439,8 @@ class Interpreter {
     arrangeBeside();
   }
 
-  /// Columns titled by conditions or specimens are the forces of as many records, where none is called a
-  /// force.
+  /// If no column is called a force, columns titled by conditions or specimens are the forces of one record
+  /// each.
   void findRecordColumns() {
     Columns records, others;
     for (const std::size_t c : fs_)
@@ -455,7 +455,7 @@ class Interpreter {
     xs_ = others, fs_ = records;
   }
 
-  /// Several forces: strokes, records, or both.
+  /// Arranges several columns of force as strokes, records, or both.
   void arrangeBeside() {
     std::vector<ColumnGroup> groups;
     bool release = false;
@@ -468,7 +468,7 @@ class Interpreter {
       groups.push_back({x, f, stroke, groupName(f, false)});
     }
     if (release) {
-      // A column beside one called release is the press.
+      // A column beside one that is called release holds the press.
       for (ColumnGroup& group : groups)
         if (!group.stroke) group.stroke = Stroke::press;
       if (groups.size() == 2 && groups[0].stroke != groups[1].stroke) {
@@ -507,7 +507,8 @@ class Interpreter {
     return std::abs(at(a) - at(b)) <= within * (column(a.force).high - column(a.force).low);
   }
 
-  /// Without titles displacement comes first as a rule, in even steps, and a counter or clock before it.
+  /// Evidence by the order of columns without titles: displacement usually comes first and in even steps,
+  /// possibly after a counter or a clock.
   Evidence orderEvidence(std::size_t x, std::size_t f) const {
     Evidence evidence;
     if (column(x).displacement >= kNamed && column(f).force >= kNamed) return evidence;
@@ -560,7 +561,7 @@ class Interpreter {
         for (CurvePoint& p : *stroke) p.displacement_mm *= mm, p.force_N *= newton;
   }
 
-  /// Evidence from the shape of a button's strokes.
+  /// Adds evidence by the shape of a button's strokes.
   static void judgeStrokes(LogInterpretation& made) {
     const LogRecord& record = made.records.front();
     const std::vector<CurvePoint>& press = record.press;
@@ -652,8 +653,8 @@ ColumnReading interpretColumns(const Table& table, const DataTable& data, const 
 }
 
 std::vector<AssumedUnit> possibleUnits(bool force) {
-  // Log-likelihoods of units where a table says none, against the commonest: prudent, for nobody has counted
-  // them.
+  // Log-likelihoods of units for tables that state none, relative to the most common unit. They are cautious
+  // guesses; the units were not counted.
   constexpr double seldom = -1.5, rare = -2, oddest = -2.5;
   std::vector<AssumedUnit> all;
   if (force)
@@ -678,10 +679,10 @@ Evidence unitEvidence(const LogRecord& record, const AssumedUnit& x, const Assum
   Evidence evidence;
   const auto [low, high] = std::ranges::minmax(record.press, {}, &CurvePoint::displacement_mm);
   const double highest = std::ranges::max_element(record.press, {}, &CurvePoint::force_N)->force_N;
-  // Of 154 presses of keyboards, tact switches, domes and industrial buttons: log-normal, with wider tails
-  // than counted.
+  // From 154 presses of keyboards, tact switches, domes and industrial buttons: log-normal, with wider tails
+  // than those presses had.
   constexpr double usualTravel_mm = 2.6, travelSpread = 0.8;
-  constexpr double usualForce_N = 1.8, forceSpread = 1.1;  // spreads: of the logarithm
+  constexpr double usualForce_N = 1.8, forceSpread = 1.1;  // spreads of the logarithms
   const auto judge = [&](const char* name, const char* unit, double value, double usual, double spread) {
     constexpr double least = -12;  // log-likelihood
     const double z = value > 0 ? std::log(value / usual) / spread : 0;
@@ -733,7 +734,7 @@ LogRecord meanOf(const std::vector<LogRecord>& records) {
       low += from / double(records.size()), high += to / double(records.size());
       most = std::max(most, points.size());
     }
-    // Place by share of the travel: the ends meet.
+    // Points are averaged at equal shares of the travel, so that the ends meet.
     for (std::size_t i = 0; i < most; ++i) {
       const double share = most > 1 ? double(i) / double(most - 1) : 0;
       double force = 0;

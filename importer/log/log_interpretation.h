@@ -12,16 +12,16 @@
 
 namespace detent::importer {
 
-/// One press, with its release where there is one; mm and N, in the order travelled.
+/// One press, with its release if there is one; mm and N, in the order travelled.
 struct LogRecord {
-  std::string name;  ///< as the file calls it; may be empty
+  std::string name;  ///< name in the file; may be empty
   std::vector<CurvePoint> press, release;
 };
 
 /// Columns that belong together, as positions in DataTable::columns.
 struct ColumnGroup {
   std::size_t displacement = 0, force = 0;
-  std::optional<Stroke> stroke;  ///< set if the columns hold one stroke alone
+  std::optional<Stroke> stroke;  ///< set if the columns hold only one stroke
   std::string name;
 };
 
@@ -29,7 +29,7 @@ struct ColumnGroup {
 struct AssumedUnit {
   std::string symbol;
   double size = 1;                   ///< mm or N
-  std::optional<double> prior = {};  ///< log-likelihood of an assumed one; nullopt: it is given
+  std::optional<double> prior = {};  ///< log-likelihood of an assumed unit; nullopt for a stated one
   bool isAssumed() const { return prior.has_value(); }
 };
 
@@ -38,12 +38,12 @@ struct LogInterpretation {
   std::vector<ColumnGroup> groups;
   AssumedUnit xUnit, yUnit;
   Evidence evidence;
-  std::vector<LogRecord> records;  ///< at least one, with a press; empty: the interpretation gives no record
+  std::vector<LogRecord> records;  ///< never empty in a result; each record has a press
   bool forcesTurned = false, displacementTurned = false, fromRun = false, joined = false;
   std::string reading(const DataTable& data) const;
 };
 
-/// Why a table holds no force log, in the words of its titles.
+/// The reason why a table holds no force log.
 enum class TableLack { none, displacement, force, columns, movement, sortedLoop, strokes };
 
 }  // namespace detent::importer

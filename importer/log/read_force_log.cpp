@@ -24,12 +24,13 @@ namespace {
 constexpr std::size_t kMostText_bytes = std::size_t{256} << 20;
 constexpr std::size_t kMostArchive_bytes = std::size_t{32} << 20;
 constexpr std::size_t kMostSamples = std::size_t{1} << 20;
-constexpr double kSameButton = 0.01;  // share of the span: readings that differ by less give one button
-constexpr double kStrokesApart = 6;   // evidence of a file that keeps strokes apart being a log
+// share of the span; readings that differ by less describe the same button
+constexpr double kSameButton = 0.01;
+constexpr double kStrokesApart = 6;  // evidence that a file is a log if it stores strokes separately
 
 std::string fileNameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// Half as many samples, each the mean of two.
+/// Halves the number of samples; each new one is the mean of two.
 void halve(std::vector<CurvePoint>& samples) {
   for (std::size_t i = 0; i + 1 < samples.size(); i += 2) {
     const CurvePoint &a = samples[i], &b = samples[i + 1];
@@ -38,7 +39,7 @@ void halve(std::vector<CurvePoint>& samples) {
   samples.resize(samples.size() / 2);
 }
 
-/// JSON whose records are objects with numbers, or lists of numbers under names, as a table. nullopt: it is
+/// JSON as a table: objects with numbers as rows, or lists of numbers as named columns. nullopt if it is
 /// neither.
 std::optional<Table> tableOfJson(const nlohmann::json& json) {
   Table table;
@@ -277,7 +278,7 @@ class LogReader {
     return found;
   }
 
-  /// The units given by hand, the file's own, or those that fit a button best.
+  /// Chooses units: those given by hand, else the file's own, else those that fit a button best.
   void weighUnits(FileRecords& found) const {
     const RecordedSwitch& first = found.switches.front();
     std::vector<AssumedUnit> xUnits = possibleUnits(false), yUnits = possibleUnits(true);
@@ -299,7 +300,7 @@ class LogReader {
     found.xUnit = found.units.kept().front().x, found.yUnit = found.units.kept().front().y;
   }
 
-  /// One run of a file that keeps no strokes apart.
+  /// The record of a run that holds both strokes.
   LogRecord fromRun(const RecordedSwitch& each) const {
     DataTable data;
     Table table;
@@ -349,7 +350,7 @@ class LogReader {
       return why ? *why
                  : noForceLog(subject, Message("the spreadsheet holds no table of numbers"),
                               Message("Give a sheet with a column of displacement and one of force"));
-    // A sheet of titled columns is the log; sheets of numbers beside it are notes.
+    // A sheet with titled columns is the log; sheets of other numbers beside it are notes.
     constexpr double sure = 4;  // log-likelihood
     const auto isSure = [&](const FileRecords& each) {
       return each.best.empty() || each.best.front().evidence.total() > sure;
@@ -362,10 +363,10 @@ class LogReader {
     return std::move(read.front());
   }
 
-  /// Two sheets named as the strokes of one button: places in the workbook.
+  /// Two sheets whose names are the strokes of one button; indices in the workbook.
   struct SheetPair {
     std::size_t press = 0, release = 0;
-    std::string name;  ///< the rest of both columns' names
+    std::string name;  ///< both names without the words for strokes
   };
 
   static std::vector<SheetPair> pairedSheets(const std::vector<Table>& sheets) {
@@ -415,7 +416,7 @@ class LogReader {
     read = std::move(kept);
   }
 
-  /// A unit that was assumed for one stroke gives way to the other's.
+  /// Replaces a unit that was assumed for one stroke by that of the other stroke.
   static void shareUnit(AssumedUnit& press, std::vector<CurvePoint>& pressPoints, const AssumedUnit& release,
                         std::vector<CurvePoint>& releasePoints, double CurvePoint::*axis) {
     if (release.isAssumed()) {
@@ -488,8 +489,7 @@ class LogReader {
     return found;
   }
 
-  /// Returns true if a table has titles, and neither titles nor units speak for its displacement or its
-  /// force.
+  /// Returns true if a table has titles, but neither titles nor units indicate its displacement or its force.
   bool saysNothing(const LogInterpretation& made, const DataTable& data) const {
     if (made.groups.size() != 1 || hasColumnHints()) return false;
     return data.columns[made.groups.front().displacement].displacement <= 0 &&
@@ -497,8 +497,8 @@ class LogReader {
            std::ranges::any_of(data.columns, [](const DataColumn& each) { return !each.title.empty(); });
   }
 
-  /// A question if a column of a record is used although its title does not name that quantity; it is left
-  /// in `reading_`.
+  /// If a record uses a column whose title does not name that quantity, returns the problem and puts the
+  /// question in `reading_`.
   std::optional<Message> unknownName(const LogInterpretation& made, const DataTable& data) {
     if (made.groups.size() != 1) return {};
     const DataColumn &x = data.columns[made.groups.front().displacement],
@@ -521,7 +521,7 @@ class LogReader {
                 : Message("whether column %1 is a force is not known", doubtful.label());
   }
 
-  /// A unit given by hand settles a column whose title and unit contradict each other.
+  /// Applies units given by hand to columns whose title and unit contradict each other.
   void takeGivenUnits(DataTable& data) {
     const auto take = [&](ColumnQuantity quantity, ColumnUnit::Kind kind, std::string_view symbol,
                           double size) {
@@ -631,7 +631,7 @@ class LogReader {
     return records[i];
   }
 
-  /// The release of a second file.
+  /// Adds the release from a second file.
   std::optional<Failure> addRelease(LogRecord& record) {
     auto second = recordsOf(hints_.releasePath, true);
     if (!second) return second.failure();
@@ -713,15 +713,15 @@ class LogReader {
       log_.noise_mm = std::max(log_.noise_mm, noiseOf(x, digit_mm));
       log_.noise_N = std::max(log_.noise_N, noiseOf(f, digit_N));
     }
-    // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far
-    // below any.
+    // A log without visible noise (computed, or constant) still needs a noise for the fit. A millionth of the
+    // span is far below any real one.
     const double travel = std::abs(press.back().displacement_mm - press.front().displacement_mm);
     constexpr double least = std::numeric_limits<double>::min();
     log_.noise_mm = std::max({log_.noise_mm, 1e-6 * travel, least});
     log_.noise_N = std::max({log_.noise_N, 1e-6 * greatest, least});
   }
 
-  /// Displacement counts from contact, force from the unloaded gauge.
+  /// Measures displacement from contact and force from the unloaded gauge's reading.
   void beginAtContact(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
     const double start_mm = press.front().displacement_mm;
     const double travel_mm = press.back().displacement_mm - start_mm;
@@ -743,11 +743,12 @@ class LogReader {
                      millimetres(air_mm), millimetres(before->uncertainty_mm)));
     }
     if (shift_mm == 0) {
-      // A stage's place is no travel; a press that starts at rest starts at zero.
+      // The stage's position is not travel, so a press that starts without force starts at zero.
       constexpr double farShare = 0.5, nearShare = 0.005,
-                       restShare = 0.06;  // share of the travel; share of the highest force
+                       restShare = 0.06;  // shares of the travel; share of the highest force
       const bool atRest = std::abs(press.front().force_N) < restShare * highest_N;
-      double lowest_mm = start_mm;  // of both strokes: a release that ends below the press measures from zero
+      // lowest of both strokes: if the release ends below the press, displacement counts from there
+      double lowest_mm = start_mm;
       for (const CurvePoint& p : release) lowest_mm = std::min(lowest_mm, p.displacement_mm);
       const bool lowestIsStart = lowest_mm > start_mm - farShare * travel_mm;
       if (start_mm < 0 || (lowestIsStart && (start_mm > farShare * travel_mm ||
@@ -763,7 +764,7 @@ class LogReader {
       if (*contact_mm) **contact_mm -= shift_mm;
   }
 
-  /// Removes the part before a displacement; a press begins there without force.
+  /// Removes the part before a displacement. A press then begins there with force 0.
   static void cutBefore(std::vector<CurvePoint>& stroke, double place_mm, bool isPress) {
     if (stroke.empty()) return;
     std::vector<CurvePoint> kept;
@@ -780,8 +781,8 @@ class LogReader {
     stroke = std::move(kept);
   }
 
-  /// Reads contact points from a column of contact or voltage that changes on the way down and back on the
-  /// way up.
+  /// Reads the operating point and the reset point from a column of contact or voltage that changes during
+  /// the press and changes back during the release.
   void readContacts(const FileRecords& found, const LogInterpretation& made) {
     const DataTable& data = *found.data;
     const auto columnOf = [&](Stroke stroke) -> const DataColumn* {
@@ -826,7 +827,7 @@ class LogReader {
     }
   }
 
-  /// A contact outside of its stroke's travel does not count.
+  /// Drops contact points outside the travel of their stroke.
   void placeContacts() {
     const auto keepWithin = [](std::optional<double>& contact_mm, const std::vector<CurvePoint>& stroke) {
       const auto [least, most] = std::ranges::minmax(stroke, {}, &CurvePoint::displacement_mm);
@@ -838,7 +839,7 @@ class LogReader {
                log_.strokes.release ? log_.strokes.release->points : log_.strokes.press.points);
   }
 
-  /// From the first way down that is complete, and the way back after it.
+  /// Sets the speeds of the first complete press and of the release after it.
   void tellSpeeds(const FileRecords& found, const LogInterpretation& made) {
     const DataTable& data = *found.data;
     const DataColumn* time = nullptr;
@@ -861,10 +862,11 @@ class LogReader {
     const auto [least, most] = std::ranges::minmax(run, {}, &TimedPlace::place_mm);
     const double range_mm = most.place_mm - least.place_mm;
     if (!(range_mm > 0)) return;
-    constexpr double endShare = 0.1;  // share of the travel, at each end: there a stroke begins and stops
+    // share of the travel at each end, where a stroke accelerates and brakes
+    constexpr double endShare = 0.1;
     const double low_mm = least.place_mm + endShare * range_mm, middle_mm = least.place_mm + 0.5 * range_mm,
                  high_mm = most.place_mm - endShare * range_mm;
-    // When a place is passed, straight between samples; from `at` on.
+    // Time at which a displacement is passed, interpolated between samples, searching from index `at` on.
     const auto passes = [&](double place_mm, bool down, std::size_t& at) -> std::optional<double> {
       for (at = std::max<std::size_t>(at, 1); at < run.size(); ++at) {
         const TimedPlace &a = run[at - 1], &b = run[at];
@@ -901,8 +903,8 @@ class LogReader {
 
   // -- confidence -------------------------------------------------------------------------------------------
 
-  /// The margins to other readings that give a different button, and to its being no log, which has no
-  /// evidence; and the question that parts the best two.
+  /// Sets the confidence by the margins to other readings that give a different button, and to "no log",
+  /// which has no evidence. Asks the question that distinguishes the best two.
   void rate(const FileRecords& found) {
     std::vector<double> margins;
     if (found.best.empty()) {
@@ -1023,7 +1025,7 @@ bool isForceLogPath(const std::string& path) {
 
 namespace {
 
-/// A file's path without the word at its end that names a stroke.
+/// A file's path without a word at its end that names a stroke.
 struct StrokeFile {
   std::string path;
   std::optional<Stroke> stroke;

@@ -17,16 +17,16 @@ namespace {
 
 // -- spreadsheets -------------------------------------------------------------------------------------------
 
-/// A column of numbers under its headings.
+/// A column of numbers with its headings.
 struct SheetColumn {
-  /// Of a two-line heading the upper line, carried to the right over the columns it spans.
+  /// the upper line of a two-line heading, carried to the right over its columns
   std::string title;
   std::string heading;         ///< the line just above the numbers
   std::vector<double> values;  ///< NaN where a cell holds no number
 };
 
-/// Three numbers or more, not more texts than numbers, and no word of a force: headings may have results of
-/// the measurement beside them.
+/// Returns true for a row of at least three numbers and no more texts than numbers. A row with a word for
+/// force is a heading, beside which results of the measurement may stand.
 bool isOfNumbers(const Table& sheet, std::size_t row) {
   constexpr int leastNumbers = 3;
   int numbers = 0, texts = 0;
@@ -56,7 +56,7 @@ std::vector<SheetColumn> headed(const Table& sheet, const std::vector<std::size_
   return columns;
 }
 
-/// Columns of a sheet; none where no row is of numbers. The headings stand above the first such row.
+/// Columns of a sheet; none if no row consists of numbers. Headings are above the first such row.
 std::vector<SheetColumn> sheetColumns(const Table& sheet) {
   std::vector<std::size_t> above;
   std::vector<SheetColumn> columns;
@@ -96,7 +96,7 @@ bool takeOut(std::string& text, std::string_view words) {
   return true;
 }
 
-/// The words of a title beside those that say the stroke: "Corrected Upstroke (U4T)" is of U4T.
+/// The title without the words for strokes: "Corrected Upstroke (U4T)" belongs to switch U4T.
 std::string nameIn(std::string title) {
   for (const std::string_view words :
        {"corrected", "(downstroke)", "(upstroke)", "downstroke", "upstroke", "raw data"})
@@ -129,7 +129,7 @@ NamedColumn named(const SheetColumn& column) {
   return is;
 }
 
-/// Travel, force and contact columns that stand together.
+/// Columns of travel, force and contact that belong together.
 struct StrokeColumns {
   std::size_t travel = 0, force = 0;
   std::optional<std::size_t> contact;
@@ -160,13 +160,14 @@ std::vector<CurvePoint> pointsOf(const std::vector<SheetColumn>& sheet, const St
   return points;
 }
 
-/// Travel where the contact closes (press) or opens (release), the middle of the two samples between which it
-/// does; empty where it does neither.
+/// Travel at which the contact closes (press) or opens (release), midway between the samples before and
+/// after; empty if it does not.
 std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const StrokeColumns& stroke) {
   if (!stroke.contact) return {};
   const double wanted = stroke.stroke == Stroke::press ? 1 : 0;
   const std::vector<double>& states = sheet[*stroke.contact].values;
-  std::optional<double> before;  // a contact that never changes says nothing
+  // last travel in the other state; a contact that never changes has no such point
+  std::optional<double> before;
   for (std::size_t row = 0; row < states.size(); ++row) {
     const double travel = sheet[stroke.travel].values[row];
     if (!std::isfinite(states[row]) || !std::isfinite(travel)) continue;
@@ -178,8 +179,8 @@ std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const Str
   return {};
 }
 
-/// Keeps the last run of each name: a sheet lists the meter's readings first and the edited ones beside
-/// them. Empty if a run has no name.
+/// Keeps the last run of each name, because a sheet lists the meter's readings first and the edited ones
+/// after them. Empty if a run has no name.
 std::vector<RecordedSwitch> lastOfEachName(std::vector<RecordedSwitch> runs) {
   std::vector<RecordedSwitch> last;
   for (RecordedSwitch& run : runs) {
@@ -284,7 +285,8 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const nlohmann::json& json, c
   RecordedSwitch one;
   const std::vector<double> x = numbersAt(json, "down_x");
   one.press = paired(x, numbersAt(json, "down_y"));
-  // The tester writes the forces of the way up from the deepest place on, beside the travel of the way down.
+  // The tester stores the forces of the release from the deepest displacement on, so they are paired with the
+  // press's displacements in reverse.
   one.release = paired({x.rbegin(), x.rend()}, numbersAt(json, "up_y"));
   one.operatingPoint = firstOf(json, "pressPoint");
   one.resetPoint = firstOf(json, "releasePoint");

@@ -19,22 +19,22 @@
 
 namespace detent::importer {
 
-/// One switch of a file, in the units of the file. CurvePoint's fields stand for these, not for mm and N.
+/// One switch of a file, in the file's units: CurvePoint's fields are not mm and N here.
 struct RecordedSwitch {
-  std::string name;                        ///< as the file calls it; empty where it does not
-  std::vector<CurvePoint> press, release;  ///< each as written; release may be empty
-  std::vector<CurvePoint> run;  ///< instead of both, where the file keeps the way down and up as one
+  std::string name;                        ///< name in the file; may be empty
+  std::vector<CurvePoint> press, release;  ///< as stored; the release may be empty
+  std::vector<CurvePoint> run;             ///< both strokes in one run, if the file does not separate them
   std::optional<double> operatingPoint, resetPoint;
-  std::optional<LengthUnit> xUnit = LengthUnit::millimetre;  ///< nullopt: the file does not say
+  std::optional<LengthUnit> xUnit = LengthUnit::millimetre;  ///< nullopt: the file does not state it
   std::optional<ForceUnit> yUnit = ForceUnit::gramForce;
-  bool scaleDoubtful = false;  ///< forces of this kind of file lie well off other laboratories'
+  bool scaleDoubtful = false;  ///< files of this kind have forces that differ much from other laboratories'
 };
 
-/// Switches of a curve meter's sheet; empty where no columns are headed as a switch's downstroke.
+/// Switches of a curve meter's sheet; empty if no columns are titled as the downstroke of a switch.
 std::vector<RecordedSwitch> switchesOfSheet(const Table& sheet);
 
-/// Switches of a JSON file that keeps strokes apart, or of a WebPlotDigitizer project in JSON or TAR. In the
-/// order of the file, at least one. Failure unreadableInput: damaged; noForceGraph: no strokes in it.
+/// Switches of a JSON file that separates the strokes, or of a WebPlotDigitizer project in JSON or TAR. In
+/// the order of the file, at least one. Failure unreadableInput: damaged; noForceGraph: no strokes in it.
 Result<std::vector<RecordedSwitch>> switchesOfJson(const nlohmann::json& json, const std::string& subject);
 Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, const std::string& subject);
 
@@ -44,11 +44,11 @@ bool keepsStrokesApart(const nlohmann::json& document);
 /// Returns true if a JSON document is a project of WebPlotDigitizer.
 bool isDigitizerProject(const nlohmann::json& document);
 
-/// The switches of a project of version 3 or 4. Data sets of xy axes are strokes: one whose name says release
-/// (release, return, up, unload) is the release of the press whose name is the same without that word; of two
-/// sets of which neither says so, the one that lies lower; a single set is a run. Axes' titles are not kept
-/// in a project, units therefore only where a name of axes or set says them. Failure noForceGraph about
-/// `subject`: no data set on xy axes has two points; unreadableInput: a version this does not know.
+/// The switches of a project of version 3 or 4. Data sets on xy axes are strokes. A set whose name says
+/// release (release, return, up, unload) is the release of the press with the same name without that word. Of
+/// two sets without such a word, the lower one is the release. A single set is a run. Projects do not store
+/// axis titles, so units are known only if a name of axes or a set states them. Failure noForceGraph about
+/// `subject`: no data set on xy axes has two points; unreadableInput: an unknown version.
 Result<std::vector<RecordedSwitch>> switchesOfProject(const nlohmann::json& document,
                                                       const std::string& subject);
 

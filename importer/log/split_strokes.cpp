@@ -12,14 +12,15 @@ namespace detent::importer {
 std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double least_mm) {
   std::vector<StrokeSpan> spans;
   if (samples.size() < 2) return spans;
-  // The way of the current stroke (+1 press, -1 release, 0 not yet known), where it began and its furthest
-  // sample.
+  // direction of the current stroke (+1 press, -1 release, 0 not known yet), its first sample, and its
+  // extremes
   int way = 0;
   std::size_t begin = 0, lowest = 0, highest = 0;
   const auto x = [&](std::size_t i) { return samples[i].displacement_mm; };
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (x(i) < x(lowest)) lowest = i;
-    // The last of equal heights: a dwell at the bottom is cut off the press later (endBeforeDwell).
+    // The last of equal maxima is the turning point. A dwell there is removed from the press later
+    // (endBeforeDwell).
     if (x(i) >= x(highest)) highest = i;
     if (way >= 0 && x(highest) - x(i) > least_mm && highest < i) {
       if (way > 0 || highest > begin) spans.push_back({begin, highest, Stroke::press});
@@ -115,16 +116,17 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   constexpr double leastBand = 2e-3, mostBand = 0.02;  // share of the span
   const double band = std::clamp(4 * noise_N, leastBand * span, mostBand * span);
   std::size_t end = 0;
-  // Single readings off the band are noise; two in a row are the key.
+  // One reading outside the band is noise; two in a row mean that the key is touched.
   while (end < press.size() && (std::abs(press[end].force_N - first) <= band ||
                                 (end + 1 < press.size() && std::abs(press[end + 1].force_N - first) <= band)))
     ++end;
   const double travel = press.back().displacement_mm - press.front().displacement_mm;
   const double flat = end > 0 ? press[end - 1].displacement_mm - press.front().displacement_mm : 0;
-  // Short of this it is the beginning of the rise; beyond most of the travel it is the button's own force.
+  // A shorter flat stretch is the beginning of the rise; one over most of the travel is the button's own
+  // force.
   constexpr double leastFlat = 0.01, mostFlat = 0.9;  // share of the travel
   if (end < fewest || flat < leastFlat * travel || flat > mostFlat * travel) return std::nullopt;
-  // On a slope the rise begins among the last readings of the stretch, so these are left out.
+  // On a slope the last readings of the stretch already rise, so they are left out.
   const std::size_t judged = std::max(fewest, end - end / 5);
   std::vector<double> before;
   double mean_mm = 0, mean_N = 0;
@@ -145,10 +147,10 @@ std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press,
   if (rise > std::max(3 * std::sqrt(12.0 / n) * scatter, mostRise * span)) return std::nullopt;
   BeforeContact found;
   found.force_N = medianOf(before);
-  // An offset is small against the forces it is an offset of; a plateau at working force is not.
+  // An offset is small compared with the button's forces; a larger flat force is the button's own.
   constexpr double mostOffset = 0.06;  // share of the span
   if (std::abs(found.force_N) > mostOffset * span) return std::nullopt;
-  // Contact: where a line through the first readings of the rise meets the level before it.
+  // The contact is the point at which a line through the first readings of the rise meets the flat force.
   const std::size_t rising = std::min(press.size(), end + 4);
   if (rising <= end) return std::nullopt;
   const CurvePoint a = press[end], b = press[rising - 1];

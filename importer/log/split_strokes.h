@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One run of samples cut at its turning points into strokes.
+// Cuts one run of samples into strokes at its turning points.
 
 #include <limits>
 #include <optional>
@@ -20,20 +20,19 @@ struct StrokeSpan {
 /// `least_mm`.
 std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double least_mm);
 
-/// Takes the dwell off the end of a press: where the handle stands at its deepest place (within 3 noises) and
-/// the force relaxes, or falls over to the release, the stroke ends with its strongest sample there. Kept,
-/// the fall would read as a tactile point at the end of the travel.
+/// Removes the dwell at the end of a press. If the handle rests at its deepest place (within 3 times the
+/// noise) while the force relaxes or falls towards the release, the stroke ends with its strongest sample
+/// there. Otherwise that fall would be read as a tactile point.
 void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double noise_N);
 
-/// Straight lines, as samples as far apart as the others, across places far longer than samples stand apart
-/// elsewhere: tables that were thinned out keep only the ends of a straight piece, and a curve that is free
-/// between them bulges.
+/// Fills gaps far wider than the usual distance of samples with samples on a straight line. Thinned tables
+/// keep only the ends of straight pieces, and a curve without points there would bulge.
 std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke);
 
-/// Standard deviation of white noise from second differences (median absolute deviation: steps and corners do
-/// not count); at least what the instrument's resolution makes: the smallest step between samples, or
-/// `lastDigit` where that is finer (rows in even steps are no rounding). Fewer than 16 values cannot tell
-/// noise from shape: they count as written.
+/// Standard deviation of white noise, from second differences. They are combined by the median absolute
+/// deviation, so that steps and corners do not count. At least the noise of the instrument's resolution,
+/// which is the smallest step between samples, or `lastDigit` if that is finer (even steps are not caused by
+/// rounding). Fewer than 16 values cannot show noise and count as exact.
 double noiseOf(const std::vector<double>& values, double lastDigit = std::numeric_limits<double>::infinity());
 
 /// Readings recorded before the key is touched.
@@ -42,8 +41,8 @@ struct BeforeContact {
   double contact_mm = 0;      ///< place of contact
   double uncertainty_mm = 0;  ///< standard error of the contact
 };
-/// The flat stretch at the start of a press, if there is one: five readings or more of one small force, on no
-/// slope.
+/// The flat stretch at the start of a press, if there is one: at least five readings of one small force,
+/// without a slope.
 std::optional<BeforeContact> beforeContact(const std::vector<CurvePoint>& press, double noise_N);
 
 }  // namespace detent::importer

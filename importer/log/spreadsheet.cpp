@@ -20,8 +20,8 @@ constexpr std::size_t kMostUnpacked_bytes = std::size_t{64} << 20;
 constexpr std::size_t kMostSheetColumns = 256, kMostSheetRows = std::size_t{1} << 20;
 constexpr std::size_t kMostSheets = 64;
 
-/// libzip, loaded when the first spreadsheet is read: it brings libcrypto, and half of what starting a
-/// program costs.
+/// libzip, loaded when the first spreadsheet is read. Loading it with the program would double the start-up
+/// time, because it loads libcrypto.
 struct Libzip {
   static const Libzip* get() {
     static const Libzip loaded;
@@ -65,7 +65,8 @@ class Archive {
   explicit operator bool() const { return zip_ != nullptr; }
   bool has(const std::string& member) const { return libzip_.locate(zip_.get(), member.c_str(), 0) >= 0; }
 
-  /// nullopt: missing, damaged, encrypted, or larger than the bound, whatever the archive claims.
+  /// nullopt if the member is missing, damaged, encrypted, or unpacks to more than the limit, whatever size
+  /// the archive states.
   std::optional<std::string> read(const std::string& member) const {
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
         libzip_.openMember(zip_.get(), member.c_str(), 0), libzip_.closeMember);
@@ -88,7 +89,7 @@ class Archive {
   std::unique_ptr<zip_t, void (*)(zip_t*)> zip_;
 };
 
-/// pugixml expands the five references of XML and character references only; document types are passed over.
+/// pugixml expands only XML's five entities and character references; it skips document types.
 std::optional<std::unique_ptr<pugi::xml_document>> xmlOf(const std::optional<std::string>& text) {
   if (!text) return {};
   auto document = std::make_unique<pugi::xml_document>();
@@ -101,7 +102,7 @@ std::optional<std::unique_ptr<pugi::xml_document>> xmlOf(const std::optional<std
 void appendText(const pugi::xml_node& node, std::string& text, int depth = 0) {
   constexpr std::size_t longestCell_bytes = 2000;
   for (const pugi::xml_node child : node.children()) {
-    constexpr int deepest = 32;  // nodes in nodes: hostile ones have no end
+    constexpr int deepest = 32;  // levels; a malicious file could nest nodes without end
     if (text.size() > longestCell_bytes || depth > deepest) return;
     const std::string_view name = child.name();
     if (name == "office:annotation" || name == "rPh") continue;  // a comment, a reading aid
@@ -115,7 +116,7 @@ void appendText(const pugi::xml_node& node, std::string& text, int depth = 0) {
   }
 }
 
-/// Rows without the empty ends that sheets are full of.
+/// Collects rows without their empty ends, of which sheets have many.
 class SheetRows {
  public:
   explicit SheetRows(Table& table) : table_(table) {}
@@ -164,7 +165,7 @@ Table tableOfOds(const pugi::xml_node& sheet) {
       for (long long k = 0; k < repeat && column < kMostSheetColumns; ++k) rows.set(column++, text);
     }
     const auto repeat = std::max<long long>(1, row.attribute("table:number-rows-repeated").as_llong(1));
-    rows.endRow();  // equal rows are one measurement, empty ones one gap
+    rows.endRow();  // a repeated row counts as one measurement, a repeated empty one as one gap
     number += static_cast<long>(std::min<long long>(repeat, 1LL << 31));
   };
   const auto visit = [&](const auto& self, const pugi::xml_node& parent, int depth) -> void {
@@ -191,8 +192,8 @@ std::size_t columnOfReference(std::string_view reference) {
   return column == 0 ? 0 : column - 1;
 }
 
-/// Number of formulas if no program has calculated them: each result is 0, as XlsxWriter writes it, or none.
-/// 0 if one has another result, or there are so few that zeros may be true.
+/// Number of formulas in a sheet that no program has calculated: every result is missing or 0, as XlsxWriter
+/// writes it. 0 if a result differs, or if there are so few that the zeros may be real.
 std::size_t uncalculatedIn(const pugi::xml_node& worksheet) {
   constexpr std::size_t fewest = 5;
   std::size_t formulas = 0;

@@ -24,7 +24,7 @@ bool isAscii(std::string_view text) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Digits behind the decimal point, less the exponent, of a number that from_chars reads.
+/// Number of digits behind the decimal point minus the exponent, for a number that from_chars can read.
 int decimalsOf(std::string_view plain) {
   std::size_t e = 0, point = plain.size();
   for (; e < plain.size() && plain[e] != 'e' && plain[e] != 'E'; ++e)
@@ -36,7 +36,7 @@ int decimalsOf(std::string_view plain) {
   return (point < e ? static_cast<int>(e - point - 1) : 0) - exponent;
 }
 
-/// Signs and blanks that typists and programs use for plain ones.
+/// Typographic signs and blanks, with the plain ones they replace.
 constexpr std::array<std::pair<std::string_view, char>, 8> plainSigns{{{"\xE2\x88\x92", '-'},
                                                                        {"\xE2\x80\x93", '-'},
                                                                        {"\xC2\xA0", ' '},
@@ -96,7 +96,7 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
   if (cell.empty()) return {};
   NumberCell number;
   const char first = cell.front();
-  // The usual case, without a copy.
+  // Fast path for the usual case, without a copy.
   if (style.decimalSign == '.' && (isDigit(first) || first == '-')) {
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number.value);
     if (error == std::errc() && end == cell.data() + cell.size()) {
@@ -122,7 +122,7 @@ std::optional<NumberCell> numberIn(std::string_view cell, const NumberStyle& sty
   number.rest = trimmed(cell.substr(length));
   if (number.rest.starts_with("\xC2\xA0")) number.rest = trimmed(number.rest.substr(2));
   if (!number.rest.empty()) {
-    // Dates, times, versions, other number styles: not this number with a unit behind it.
+    // More digits or separators follow: a date, a time, a version, or a number in another style.
     const char next = number.rest.front();
     constexpr std::string_view otherStyles = ".,:;-/'|", delimiters = ";\t|";
     if (isDigit(next) || otherStyles.find(next) != std::string_view::npos) return {};
@@ -162,8 +162,8 @@ std::string_view withoutQuotes(std::string_view cell) {
   return cell;
 }
 
-/// Splits one logical line (quoted fields may hold line breaks) from `at` on; returns where the next one
-/// begins. `give` gets each cell as it stands.
+/// Splits one logical line from `at` on (quoted fields may contain line breaks) and returns the beginning of
+/// the next one. `give` receives each cell unchanged.
 template <class Give>
 std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Give give) {
   std::size_t from = at;
@@ -177,7 +177,7 @@ std::size_t splitLine(std::string_view text, std::size_t at, char delimiter, Giv
     }
     const char c = text[at];
     if (c == '"' && (quoted || !started)) {
-      // A quote that never closes is a mark of inches, not the rest of the file.
+      // A quotation mark without a closing one means inches; it does not quote the rest of the file.
       if (!quoted) {
         const std::size_t close = text.find('"', at + 1);
         constexpr std::size_t longestField_bytes = 2000;
@@ -241,8 +241,8 @@ struct Dialect {
   double score = 0;
 };
 
-/// Roughness of a column of numbers: the sum of its second differences over its range. A number misread by a
-/// factor of a thousand makes a step.
+/// Roughness of a column of numbers: the sum of its second differences divided by its range. A number misread
+/// by a factor of a thousand increases it.
 double roughnessOf(const std::vector<double>& values) {
   if (values.size() < 4) return 0;
   const auto [low, high] = std::ranges::minmax(values);
@@ -253,7 +253,7 @@ double roughnessOf(const std::vector<double>& values) {
   return sum / (high - low);
 }
 
-/// Scores a dialect on the sampled lines: rows of numbers, nothing left over, smooth columns.
+/// Scores a dialect on the sampled lines: many rows of numbers, few unreadable digits, smooth columns.
 void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
   std::map<std::size_t, std::vector<double>> columns;
   double rows = 0, junk = 0;
@@ -267,7 +267,7 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
         ++inLine;
         columns[column].push_back(number->value);
       } else if (isDigit(cell[cell.find_first_not_of("+-") % cell.size()]) && !isDate(cell)) {
-        junk += 1;  // digits that make no number
+        junk += 1;  // begins with a digit, but is no number
       }
     });
     if (inLine >= 2) rows += 1;
@@ -275,11 +275,13 @@ void judge(Dialect& dialect, const std::vector<std::string_view>& lines) {
   double rough = 0;
   for (const auto& [column, values] : columns) rough += std::min(roughnessOf(values), 50.0);
   const double all = std::max(1.0, static_cast<double>(lines.size()));
-  constexpr double junkWorth = 1.5, roughWorth = 0.01;  // shares of a row that is read
+  // weights relative to the share of rows that are read
+  constexpr double junkWorth = 1.5, roughWorth = 0.01;
   dialect.score = (rows == 0 ? -1 : 0) + (rows - junkWorth * junk) / all - roughWorth * rough;
 }
 
-/// Returns true if every row is k times "digits,digits" where the comma is the delimiter as well.
+/// Returns true if the comma is both delimiter and decimal sign: each row consists of pairs of cells that are
+/// the digits before and behind a decimal comma.
 bool isCommaComma(const std::vector<std::string_view>& lines) {
   std::map<std::size_t, std::size_t> widths;
   std::size_t rows = 0;
@@ -316,7 +318,7 @@ Dialect dialectOf(std::string_view text) {
   const auto mayGroup = [&](char sign, char delimiter) {
     return !isPlain || (sign == delimiter ? hasQuotes : isBetweenDigits(text, sign));
   };
-  // The plainest first: a later one has to read more.
+  // Plainest style first; a later one must read more rows.
   constexpr NumberStyle styles[] = {{'.', 0},   {',', 0},   {'.', ','},  {',', '.'},
                                     {'.', ' '}, {',', ' '}, {'.', '\''}, {',', '\''}};
   for (const char delimiter : {',', ';', '\t', '|', ' '})
@@ -332,8 +334,8 @@ Dialect dialectOf(std::string_view text) {
   return best;
 }
 
-/// Columns between blanks: where titles hold blanks or cells are left empty, they stand over or under their
-/// column.
+/// Columns separated by blanks. If titles contain blanks or cells are empty, each text belongs to the column
+/// above or below it.
 class FixedColumns {
  public:
   FixedColumns(std::string_view text, const Dialect& dialect) : style_(dialect.style) {
@@ -379,20 +381,20 @@ class FixedColumns {
     return static_cast<double>(cell.data() - line.data()) + 0.5 * static_cast<double>(cell.size());
   }
 
-  /// Two numbers or more, and words in one cell at most: "down", "up".
+  /// Returns true for a row with at least two numbers and at most one word, such as "down" or "up".
   bool isOfNumbers(const std::vector<std::string_view>& cells) const {
     const auto numbers = std::ranges::count_if(
         cells, [&](std::string_view cell) { return numberIn(cell, style_).has_value(); });
     return numbers >= 2 && static_cast<std::size_t>(numbers) + 1 >= cells.size();
   }
 
-  /// Parts that at least so many blanks, or a tab, set apart.
+  /// Parts of a line that are separated by at least `blanks` blanks, or by a tab.
   static std::vector<std::string_view> split(std::string_view line, std::size_t blanks) {
     std::vector<std::string_view> parts;
     line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
     for (std::size_t at = line.find_first_not_of(" \t"); at < line.size();) {
       std::size_t end = at;
-      // A quoted title may hold blanks.
+      // A quoted title may contain blanks.
       if (const std::size_t close = line[at] == '"' ? line.find('"', at + 1) : std::string_view::npos;
           close != std::string_view::npos && (close + 1 == line.size() || isBlank(line[close + 1])))
         end = close + 1;
@@ -413,7 +415,7 @@ class FixedColumns {
   std::vector<double> middles_;  // of each column, in bytes from the start of the line
 };
 
-/// A cell without quotes; doubled quotes inside become one.
+/// Adds a cell without its quotation marks; doubled ones inside become single.
 void addTextCell(Table& table, std::string_view raw) {
   const std::string_view cell = withoutQuotes(raw);
   if (cell.find('"') == std::string_view::npos) return table.addCell(cell);
@@ -486,8 +488,8 @@ FileContent contentOf(std::string_view bytes) {
 
 namespace {
 
-/// Bytes of a charset that glibc knows as UTF-8; nullopt if they are not of it. A character cut off at the
-/// end is left out.
+/// Converts bytes of a charset known to glibc to UTF-8; nullopt if they are invalid in it. An incomplete last
+/// character is dropped.
 std::optional<std::string> decoded(std::string_view bytes, const char* charset) {
   const iconv_t converter = iconv_open("UTF-8", charset);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the value that iconv_open() states for a failure
@@ -503,8 +505,8 @@ std::optional<std::string> decoded(std::string_view bytes, const char* charset) 
   return out;
 }
 
-/// Text in a charset of one country: the charset in which the most text beyond ASCII is words of tables.
-/// nullopt: none has one.
+/// Converts text of a national charset. The charset is the one in which most text beyond ASCII consists of
+/// known words of tables; nullopt if no charset gives such words.
 std::optional<std::string> decodedByWords(const std::string& bytes) {
   constexpr std::size_t head_bytes = 4096;
   const char* best = nullptr;
@@ -512,7 +514,7 @@ std::optional<std::string> decodedByWords(const std::string& bytes) {
   for (const char* charset : {"CP1252", "CP932", "CP949", "GB18030", "BIG5", "CP1251", "CP1250"}) {
     const auto text = decoded(std::string_view(bytes).substr(0, head_bytes), charset);
     if (!text) continue;
-    // One ideograph may come by chance from another charset's bytes.
+    // A single ideograph may be a coincidence in another charset.
     constexpr std::size_t byChance_bytes = 3;
     std::size_t known_bytes = 0;
     constexpr std::string_view separators = " \t\r\n,;:()[]/\"";
@@ -520,7 +522,7 @@ std::optional<std::string> decodedByWords(const std::string& bytes) {
       const std::size_t end = std::min(text->find_first_of(separators, at), text->size());
       const std::string_view part = std::string_view(*text).substr(at, end - at);
       for (const KnownWords::Word& word : knownWordsIn(part).words) {
-        // A folded word is shorter than the written one, whose bytes are compared.
+        // The word as written is counted, because folding may have shortened it.
         const bool isWhole = folded(part) == word.text;
         if (isAscii(isWhole ? part : word.text)) continue;
         const std::size_t size = isWhole ? part.size() : word.text.size();
@@ -553,7 +555,7 @@ std::optional<std::string> utf8From(std::string bytes) {
   };
   if (std::ranges::any_of(head, isControl)) return {};
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  // Excel's note about the delimiter.
+  // Excel writes the delimiter in a first line "sep=".
   if (bytes.starts_with("sep=")) bytes.erase(0, std::min(bytes.find('\n'), bytes.size() - 1) + 1);
   if (isUtf8(bytes)) return bytes;
   if (auto text = decodedByWords(bytes)) return text;

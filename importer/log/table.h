@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A file as rows of cells, whatever it is kept in: delimited text in any encoding, a spreadsheet, JSON
-// records.
+// A file as rows of cells, for all its forms: delimited text in any encoding, a spreadsheet, JSON records.
 
 #include <cstddef>
 #include <deque>
@@ -64,24 +63,24 @@ class Table {
   std::vector<long> lines_;
 };
 
-/// Text as delimited cells. The delimiter and the number style are those that read most of the file as rows
+/// Delimited text as a table. The delimiter and the number style are those that read most of the file as rows
 /// of numbers. Failure: cancelled; unreadableInput: a line longer than 1 MB.
 Result<Table> tableOfText(std::string text, const std::string& subject, const Progress& progress);
 
-/// The sheets of an xlsx or OpenDocument spreadsheet that hold cells. Formulas give the value that was saved
-/// with them; cells of uncalculated ones are empty. Failure unreadableInput: damaged, encrypted, or larger
-/// than 64 MB when unpacked; entities are not expanded.
+/// The non-empty sheets of an xlsx or OpenDocument spreadsheet. Formulas have the value that was saved with
+/// them; cells of uncalculated formulas are empty. Failure unreadableInput: damaged, encrypted, or larger
+/// than 64 MB when unpacked. Entities are not expanded.
 Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const std::string& subject);
 
-/// Formulas of an xlsx file that no program has calculated.
+/// Number of formulas of an xlsx file that no program has calculated.
 std::size_t uncalculatedFormulas(const std::string& bytes);
 
 /// Kind of a file's content, by its first bytes.
 enum class FileContent { text, spreadsheet, oldSpreadsheet, tar };
 FileContent contentOf(std::string_view bytes);
 
-/// UTF-8, UTF-16 (with a byte order mark, or recognised by its zero bytes) and, where it is no UTF-8,
-/// Windows-1252, as UTF-8. nullopt: not text.
+/// The text of UTF-8, UTF-16 (with a byte order mark, or recognised by its zero bytes) or, if it is not valid
+/// UTF-8, a national charset, converted to UTF-8. nullopt: not text.
 std::optional<std::string> utf8From(std::string bytes);
 
 /// Failures of a file.

@@ -8,8 +8,8 @@
 
 namespace detent::importer {
 
-/// Builds the polylines of one path under a transform. Damaged pages have points so far off that no pixel
-/// counts to them; lines are cut before they leave the place that matters.
+/// Builds the polylines of one path under a transform. Damaged pages may have points at enormous distances,
+/// so lines are cut at the edge of the area that is needed.
 class PathFlattener {
  public:
   /// Chords deviate from curves by at most `tolerance` (in the plane of `transform`'s result); > 0.

@@ -19,12 +19,13 @@ namespace {
 constexpr int mapUnknowns = 8, bendUnknowns = 5;
 // places farther from their line count linearly, because a curve or a letter stands there
 constexpr double far_px = 1;
-constexpr double weakly =
-    0.02;  // fixes the centre of the bend if nothing is bent; in units of half the frame
+// weight of a residual that keeps the bend's centre near 0, so that it is determined even if nothing is bent
+constexpr double weakly = 0.02;
 constexpr int placesPerLine =
     4;  // number of independent values in one line's places: position, tilt, bend, and one for the rest
 
-/// Projected position of a place on a sheet: its unknowns as Ceres passes them, `n` in scaled view pixels.
+/// Position of a place on the sheet, in scaled mm and N. `n`: the place in scaled view pixels; `map`, `bend`:
+/// the sheet's unknowns, in the form that Ceres passes.
 template <typename T>
 void onSheet(const T* map, const T* bend, Point n, T* units) {
   const T away = bend[0] * (n.x * n.x) + bend[1] * (n.x * n.y) + bend[2] * (n.y * n.y);
