@@ -100,7 +100,8 @@ class Player : public LivePlayer {
     auto taken = std::make_unique<LiveProgram>(program);
     follower_.use(&taken->program, &taken->speeds);
     if (heldByDisplacement_)
-      follower_.placeAtDisplacement(held_mm_);  // for such a finger the force is that of the previous button
+      // the force of a finger held by displacement is still that of the previous button
+      follower_.placeAtDisplacement(held_mm_);
     else
       follower_.placeAtForce(force_N);
     presses_.use(&taken->program);

@@ -43,7 +43,7 @@ struct AudioSettings {
   /// level of masking noise, on at most two channels behind those of the vibration, which keeps at least
   /// one; 0: no noise
   double rainLevel = 0;
-  /// the channels behind the vibration's exist also without rain, for the sound of presses
+  /// keeps the channels behind those of the vibration even without rain, for the sound of presses
   bool ears = false;
   JackRoute jackRoute = JackRoute::ownClient;
 };

@@ -69,7 +69,7 @@ void ForceLoop::takeOrders() {
     device_->rearm();
     engine_.rearm();
   }
-  // last, so that of an emergency stop and an arming the stop counts
+  // after the arming, so that the stop wins if both were requested
   if (emergency_.exchange(false)) engine_.emergencyStop();
 }
 
@@ -87,7 +87,7 @@ void ForceLoop::step() {
     // The handle may have moved while a delayed loop took no readings.
     if (before_s > 0) reading.periods = std::max(1.0, (exchanged_s_ - before_s) / program_->period_s);
   }
-  // An answer that waited while this program stood still is the place of before the pause.
+  // An answer that waited while this program stood still shows the position before the pause.
   if (isStall(exchanged_s_ - requested_s_)) reading.fresh = false;
   if (settings_.paced && !reading.fresh)
     ++(late_s_ > lateShare * program_->period_s ? deadlines_.computerLate : deadlines_.deviceLate);

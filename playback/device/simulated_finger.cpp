@@ -16,8 +16,8 @@ constexpr double above_mm = -0.5;  // position where a finger waits before the t
 // Rate at which a finger that holds a position corrects its error, and the limits of the time for that.
 constexpr double correctionRate_per_s = 25, shortestCorrection_s = 0.2, longestCorrection_s = 0.8;
 constexpr double arrivedWithin_mm = 0.005, arrivedBelow_mm_per_s = 0.5;
-// Of the muscles while they aim, relative to rest, because both muscles of a pair pull. Damping grows with
-// the square root.
+// Stiffness and damping of the muscles while they aim, relative to rest. They are higher, because both
+// muscles of a pair pull; damping grows with the square root of the stiffness.
 constexpr double aimingStiffness = 10, aimingDamping = 3;
 constexpr double longestHold_s = 0.5;  // a press that does not feel the bottom turns back after this time
 constexpr double tremorFrequencies_Hz[] = {8.7, 11.3};  // physiological tremor, 8 to 12 Hz

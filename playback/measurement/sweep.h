@@ -32,7 +32,9 @@ struct FrequencyResponse {
   std::vector<double> gain_dB;        ///< ratio of recorded to played
   std::vector<Resonance> resonances;  ///< strongest first
   std::vector<ResonanceErrors>
-      errors;  ///< one each; empty if the peaks are no sum of sections, so that each was measured alone
+      /// one for each resonance; empty if the response is no sum of peaking sections, so each peak was
+      /// measured alone
+      errors;
   double delay_s = 0;  ///< of the sound path
   std::vector<double>
       dropouts_s;  ///< times at which the recording differs from the expected response: sound was lost
