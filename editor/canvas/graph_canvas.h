@@ -58,8 +58,8 @@ class GraphCanvas : public UnitPlot {
   /// Shows knots and handles; without them the picture resembles a datasheet.
   void setHandlesShown(bool shown);
 
-  /// Draws the graph as vectors into any device (SVG, printer); `size` in its units. This and the next
-  /// function use a second, hidden canvas.
+  /// Draws the graph as vectors into any device (SVG, printer); `size` in its units. renderTo and the next
+  /// function draw on a second, hidden canvas.
   void renderTo(QPaintDevice& device, QSize size, const QPalette& palette) const;
   QImage renderImage(QSize size_px, double devicePixelRatio) const;
 

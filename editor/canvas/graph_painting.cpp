@@ -116,7 +116,7 @@ void drawStrokes(QPainter& painter, const PlotMapping& map, const ForceGraph& gr
   }
 }
 
-// The other state, or the strokes that a drag has changed, as they were.
+// Draws the other state, or the strokes that a drag has changed as they were before.
 void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene, const ForceGraph& graph) {
   drawStrokes(painter, map, graph, [&](Stroke stroke) {
     const bool has = stroke == Stroke::press || scene.state.graph.release();
@@ -135,13 +135,14 @@ void paintReference(QPainter& painter, const PlotMapping& map, const GraphScene&
   });
 }
 
-// Thin, in the strokes' colours: one graph of the family is edited, the others are for comparison.
+// Thin, in the strokes' colours: the graphs at other speeds are shown only for comparison with the edited
+// one.
 void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const auto thin = [&](Stroke stroke) { return strokePen(stroke, scene.colors, 1); };
   for (const SpeedGraph& other : scene.state.otherSpeeds) drawStrokes(painter, map, other.graph, thin);
 }
 
-// Each label where its press is farthest from the edited one.
+// Places each label at the displacement at which its press is farthest from the edited one.
 void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   constexpr int samples = 64;
   constexpr double beforeBottomOut = 0.9;  // of the travel
@@ -363,7 +364,7 @@ class Tags {
 
   void put(QPointF at_px, const QString& text, const QColor& tagColor, std::optional<MarkId> mark = {}) {
     const QRectF wished = tagBox(painter_, at_px, text, map_.clip_px);
-    std::optional<QRectF> freeBox;  // the nearest one, better one that leaves the strokes free
+    std::optional<QRectF> freeBox;  // nearest free place, preferably one that leaves the strokes free
     for (const QPointF& away : placesAround(wished.size())) {
       const QRectF moved = keptInside(wished.translated(away), map_.clip_px);
       if (!free(moved)) continue;
@@ -412,7 +413,7 @@ void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphSc
   }
 }
 
-// Without dragged points, whose position is shown beside them.
+// Leaves out dragged points, whose position is shown beside them.
 void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   const auto& dragged = scene.feedback.dragged;
   const std::vector<TactilePoint>& points = scene.values.of(stroke).tactile;
@@ -893,7 +894,7 @@ void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColo
 QString speedText(double speed_mm_per_s) { return tr("%1 mm/s").arg(numberText(speed_mm_per_s, 4)); }
 
 void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  // Beside the legend.
+  // Placed beside the legend.
   const QRectF free = map.clip_px.adjusted(std::min(110.0, 0.2 * map.clip_px.width()), 0, 0, 0);
   paintTag(painter, QPointF(free.center().x(), free.top()), scene.feedback.refused->why, scene.colors.refused,
            scene.colors.background, free);

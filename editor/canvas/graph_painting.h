@@ -52,7 +52,7 @@ struct GraphScene {
   const ButtonState* preview = nullptr;      ///< possible new state, drawn dashed
   const ButtonState* before = nullptr;       ///< state before the running drag, drawn pale
   const Reference* reference = nullptr;      ///< state of another button, drawn behind the curves
-  std::vector<Flag>* flags = nullptr;        ///< receives the labels that were drawn; null: nobody asks
+  std::vector<Flag>* flags = nullptr;   ///< receives the labels that were drawn; null: they are not needed
   const StateSpread* spread = nullptr;  ///< spread of the averaged units: a band of one standard deviation
 };
 
@@ -72,7 +72,7 @@ void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColo
 /// "100 mm/s".
 QString speedText(double speed_mm_per_s);
 
-/// Residuals are enlarged by this factor; long ones less, down to their own length.
+/// Residuals are enlarged by this factor. Long residuals are enlarged less, but never shortened.
 inline constexpr double residualMagnification = 10;
 
 }  // namespace detent::editor

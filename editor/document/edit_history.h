@@ -32,8 +32,8 @@ class EditHistory : public QObject {
 
   /// One finished step. Consecutive steps with the same non-empty `mergeKey` become one (arrow keys).
   void apply(const Button& next, const QString& label, const QString& mergeKey = {});
-  /// One step to a button that was not edited by hand: read again, recovered, an earlier version. No rule
-  /// applies.
+  /// One step to a button that does not come from an edit: one read from a file, recovered, or an earlier
+  /// version. No rule is applied.
   void replace(const Button& next, const QString& label);
 
   /// A drag: any number of previews, then finish (one step) or cancel (restores). Previews are no steps.

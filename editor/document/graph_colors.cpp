@@ -56,7 +56,7 @@ GraphColors graphColors(bool dark) {
 
 QColor seriesColor(std::size_t index, bool dark) {
   const GraphColors colors = graphColors(dark);
-  // Without the release colour, which means that stroke in every picture.
+  // Leaves out the release colour, which means the release in every picture.
   const std::array<QColor, seriesColors> series{colors.press,        colors.operatingPoint, colors.resetPoint,
                                                 colors.tactilePoint, colors.text,           colors.bottomOut};
   return series[index % series.size()];

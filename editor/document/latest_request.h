@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Work off the GUI thread of which only the latest request counts.
+// Work off the GUI thread, for requests of which only the latest counts.
 
 #include <atomic>
 #include <condition_variable>
@@ -83,8 +83,8 @@ class LatestAnswer {
         if (answers.latest_ == number) report();
       });
     }
-    /// The same for a request that may be overtaken. Qt drops events for a destroyed object; the destructor
-    /// waits for this thread.
+    /// The same for a request that a newer one may replace. Qt drops events for a destroyed object, and the
+    /// destructor waits for this thread.
     template <class Report>
     void tellAnyway(Report report) const {
       QMetaObject::invokeMethod(answers_.owner_, std::move(report), Qt::QueuedConnection);

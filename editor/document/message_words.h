@@ -20,7 +20,8 @@ QString asSentence(QString text);
 /// The text cut to `longest` characters (>= 1), with an ellipsis if it was longer.
 QString shortened(const QString& text, int longest);
 
-/// Returns true if a text names a program option, as "--dpi": nothing for a window.
+/// Returns true if a text names an option of a program, such as "--dpi", and is therefore useless in a
+/// window.
 bool namesAnOption(const QString& text);
 
 /// "SUBJECT, PLACE: PROBLEM. REMEDIES.", with the remedies that are words, not program options.

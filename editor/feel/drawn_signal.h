@@ -15,10 +15,11 @@ inline constexpr double drawnRate_Hz = 48000;
 
 /// A signal for display. If it could not be made, `failure` has the reason and everything else is empty.
 struct DrawnSignal {
-  std::uint64_t revision = 0;                 ///< of the request, counted by who makes them
-  std::vector<float> samples;                 ///< at drawnRate_Hz, full scale is 1
-  double peak = 0;                            ///< largest |sample|
-  std::vector<playback::EngineEvent> events;  ///< felt at their frames; none of a signal that no engine made
+  std::uint64_t revision = 0;  ///< revision of the request, counted by its sender
+  std::vector<float> samples;  ///< at drawnRate_Hz, full scale is 1
+  double peak = 0;             ///< largest |sample|
+  /// events of the engine at their frames; empty for a signal that no engine made
+  std::vector<playback::EngineEvent> events;
   playback::PressTrace
       press;  ///< readings of the press that caused the signal; empty for a signal without a press
   playback::Spectrogram spectrogram;

@@ -29,7 +29,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double stripTail_s = 0.3;  // the strip runs on a little after a press
+constexpr double stripTail_s = 0.3;  // the strip continues this long after a press
 constexpr double wideRatio = 1.35;   // wider than this, the parts stand side by side
 constexpr int leastControls_px = 120;
 constexpr double comparableDurations = 4;  // of two signals whose times are drawn to one scale
@@ -314,7 +314,7 @@ void FeelPanel::showPair() {
   writeNames();
 }
 
-/// Writes as much of the names as there is room for.
+/// Shortens the names to the available space.
 void FeelPanel::writeNames() {
   for (const FeelSide side : sides) {
     QToolButton* choice = choices_[static_cast<std::size_t>(side)];
@@ -381,7 +381,7 @@ void FeelPanel::showReference() {
   writeNames();
 }
 
-/// Draws both signals on one scale, unless one of them would vanish beside the other.
+/// Draws both signals on one scale, unless one of them would become invisible.
 void FeelPanel::showScale() {
   const auto& press = session_.signal();
   const auto& reference = session_.reference();
@@ -448,11 +448,11 @@ void FeelPanel::restoreState(const QVariantMap& state) {
 void FeelPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   session_.setWatched(true);
-  // The rows have their widths once all of it is laid out.
+  // The rows get their widths when the whole panel is laid out.
   QMetaObject::invokeMethod(this, &FeelPanel::writeNames, Qt::QueuedConnection);
 }
 
-// Minimized is not put away: whoever presses meanwhile feels on.
+// A minimised panel keeps its press running; only a hidden one ends it.
 void FeelPanel::hideEvent(QHideEvent* event) {
   if (!event->spontaneous()) session_.setWatched(false);
   QWidget::hideEvent(event);

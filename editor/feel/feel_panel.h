@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Press the button one edits, and see what it will feel like.
+// Presses the button that is being edited, and shows how it will feel.
 
 #include <array>
 #include <QVariantMap>
@@ -34,7 +34,7 @@ class FeelPanel : public QWidget {
   /// Exchanges A and B (X), for menus and the list of shortcuts.
   QAction* exchangeAction() const { return exchange_; }
 
-  /// The session's choices and the panel's own.
+  /// The choices of the session and of the panel.
   QVariantMap saveState() const;
   void restoreState(const QVariantMap& state);
 

@@ -12,15 +12,15 @@ namespace detent::editor {
 namespace {
 
 constexpr int movingTick_ms = 8;    // 125 Hz wanted, so that a late timer still shows 60
-constexpr int restingTick_ms = 40;  // meters, and a sensor that begins to press
-constexpr double lift_s = 0.06;     // as playback's own finger
+constexpr int restingTick_ms = 40;  // interval for meters and for a sensor that may begin to press
+constexpr double lift_s = 0.06;     // same as the lift time of playback's own finger
 constexpr double longestRecord_s = 20, recordStep_s = 1e-3;
-constexpr double playLead_s = 0.1;  // until a recorded press begins
-constexpr double goesOn_s = 1;      // how long after the last movement meters stay quick
+constexpr double playLead_s = 0.1;  // delay until a recorded press begins
+constexpr double goesOn_s = 1;      // duration after the last movement for which meters are updated quickly
 
 }  // namespace
 
-/// Hands a position on, 1000 times a second while it lives.
+/// Passes a position to the player 1000 times a second during its lifetime.
 class FeelPlayer::DepthFeed {
  public:
   DepthFeed(playback::LivePlayer& player, std::function<double()> position_mm)
@@ -72,8 +72,8 @@ void FeelPlayer::letGo() {
   if (held == Finger::depth || (held == Finger::lifting && !liftsForce_)) player_->pushDisplacement(0);
 }
 
-// Starts a silent player anew, because a released force falls slowly and the next button must not find a
-// rest of it. A player with a device or a sensor is kept.
+// Replaces a silent player by a new one. A released force decreases slowly, and the next button must not
+// start with the rest of it. A player with a device or a sensor is kept.
 void FeelPlayer::forgetPress() {
   if (!player_ || status_.sounding || devicePosition_mm_ || !sensor_.port.empty()) return;
   player_.reset();
@@ -119,8 +119,8 @@ void FeelPlayer::startSound() {
   if (sound_ == SoundState::off || sound_ == SoundState::failed) exchangeDevice();
 }
 
-// A device may take seconds to open or close, and can be open only once: the one in use goes first, on the
-// thread that opens the next.
+// Opening and closing may take seconds, and a device can be open only once. So the device in use is closed
+// first, on the thread that opens the next one.
 void FeelPlayer::exchangeDevice() {
   exchangeAgain_ = busy_;
   if (busy_) return;
@@ -162,7 +162,8 @@ void FeelPlayer::exchanged(Result<Player>* result) {
   adopt();
 }
 
-// A press that has begun is finished on the player that knows it; a force device may never rest.
+// Replaces the player by the waiting one. A running press first ends on the player on which it began. The
+// finger of a force device may never rest, so its end is not awaited.
 void FeelPlayer::adopt() {
   if (!waiting_ || (!devicePosition_mm_ && (pressed_ || finger_ != Finger::none))) return;
   deviceFeed_.reset();
@@ -267,7 +268,8 @@ void FeelPlayer::up() {
 bool FeelPlayer::pushForce(double force_N) {
   const bool begins = finger_ == Finger::none || finger_ == Finger::lifting;
   if (!take(Finger::force)) return false;
-  // A first reading after a pause is taken as where the finger already was; it was nowhere.
+  // The engine takes the first reading after a pause for the finger's present position. The finger did not
+  // touch the button before, so a force of 0 is sent first.
   if (begins) player_->pushForce(0);
   value_ = force_N;
   pushFinger();
@@ -324,7 +326,7 @@ void FeelPlayer::stopSamples() {
   if (player_) player_->stopSamples();
 }
 
-// From the first touch to rest, zero at both ends, so that it can be played again.
+// Records from the first touch to rest, with zero at both ends, so that the record can be played again.
 void FeelPlayer::record() {
   if (playing() || !pressed_) {
     const auto ended = std::exchange(recording_, nullptr);
@@ -349,7 +351,8 @@ void FeelPlayer::record() {
   recording_->readings.push_back({time_s, force ? status_.force_N : status_.displacement_mm});
 }
 
-// Readings have to go on while a finger rests, or the engine takes the next one for a sensor that came back.
+// Readings must continue while a finger rests. Otherwise the engine takes the next one for that of a
+// reconnected sensor.
 void FeelPlayer::pushFinger() {
   switch (finger_) {
     case Finger::force:
@@ -404,7 +407,7 @@ void FeelPlayer::pace() {
   const bool idle = !pressed_ && std::chrono::duration<double>(Clock::now() - movedAt_).count() > goesOn_s;
   if (idle && !status_.sounding && sensor_.port.empty() && !waiting_ && finger_ == Finger::none &&
       !devicePosition_mm_) {
-    timer_.stop();  // nothing can move by itself
+    timer_.stop();  // nothing can move without input
     return;
   }
   const int interval = idle ? restingTick_ms : movingTick_ms;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The finger and its sound: a playback::LivePlayer that is silent until a sound device is open, and silent
-// again where there is none, so that the pad works in every case.
+// The finger and its sound: a playback::LivePlayer that is silent without an open sound device, so that the
+// pad always works.
 
 #include <chrono>
 #include <functional>
@@ -18,10 +18,10 @@
 namespace detent::editor {
 
 enum class SoundState {
-  off,       ///< not requested, or not yet: it starts with the first press
+  off,       ///< not requested, or requested but not yet started by a first press
   starting,  ///< the device is being opened; the finger is followed silently meanwhile
   on,
-  lost,   ///< the device went away; it is taken up again when it is back
+  lost,   ///< the device disappeared; it is opened again when it is back
   failed  ///< the device could not be opened; trouble() says why and what to do
 };
 
@@ -32,25 +32,25 @@ struct SensorPort {
   playback::SensorCalibration calibration;
 };
 
-/// One finger on one program at a time. A press is timed (down, up) or followed (force or depth, then lift);
-/// while one finger holds the button, input of others is ignored. GUI thread; devices are opened and closed
-/// on a thread of its own.
+/// One finger on one program at a time. A press is timed (down, up) or follows a force or a depth (then
+/// lift). While one finger holds the button, input of others is ignored. GUI thread; devices are opened and
+/// closed on a separate thread.
 class FeelPlayer : public QObject {
   Q_OBJECT
 
  public:
   explicit FeelPlayer(QObject* parent = nullptr, FeelDevices devices = {});
-  ~FeelPlayer() override;  ///< stops the sound; waits for a device that is just being opened
+  ~FeelPlayer() override;  ///< stops the sound; waits for a device that is being opened
 
-  /// What is pressed; exchanged under the finger. Null: nothing can be pressed.
+  /// Sets the pressed program, even under a finger. Null: nothing can be pressed.
   void setProgram(std::shared_ptr<const playback::LiveProgram> program);
 
-  /// Allows a press to open the sound device. Off closes it.
+  /// Allows a press to open the sound device; `false` closes the device.
   void setSoundWanted(bool wanted);
   /// Changes the sound device, rate or buffer; an open device is opened again.
   void setOutput(const playback::PlayerSettings& settings);
   const playback::PlayerSettings& output() const { return output_; }
-  /// Opens the device now, or once more after a failure. The first press does so by itself.
+  /// Opens the device now, or again after a failure. Otherwise the first press opens it.
   void startSound();
   void setGain(double gain);  ///< factor >= 0, before the limiter
 
@@ -59,19 +59,19 @@ class FeelPlayer : public QObject {
   /// The reason why the sensor's port could not be opened, and the remedy; empty if there is no trouble.
   const QString& sensorTrouble() const { return sensorTrouble_; }
 
-  // The finger. False: nothing to press, or another finger holds it.
+  // Begins a press. Returns false if nothing can be pressed, or if another finger holds the button.
   bool down(double peak_N);  ///< a timed press: human-like rise up to peak_N
   void up();
   bool pushForce(double force_N);
   bool pushDepth(double displacement_mm);
-  void lift();  ///< ends a followed press: back to nothing within 60 ms
+  void lift();  ///< ends a followed press: the force falls to zero within 60 ms
 
-  /// A force device under the finger: its position (mm) is read 1000 times a second on a thread of its own,
-  /// and nothing else presses meanwhile. May open the sound device, as a press does. Null ends it.
+  /// Follows a force device's finger: its position (mm) is read 1000 times a second on a separate thread, and
+  /// all other input is ignored. May open the sound device, as a press does. Null ends it.
   void followDevice(std::function<double()> position_mm);
 
-  /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound
-  /// is off, or another press is under way.
+  /// Plays a press on the sound device, and opens the device if necessary. Nothing can be pressed meanwhile.
+  /// Returns false if sound is off, or if another press is running.
   bool play(std::shared_ptr<const playback::PressTrace> press);
   bool playing() const { return player_ && (player_->tracePlaying() || player_->samplesPlaying()); }
   /// Plays samples (at 48000 a second) that no button made. Returns false under the same conditions as
@@ -80,7 +80,7 @@ class FeelPlayer : public QObject {
   void stopSamples();
   bool samplesPlaying() const { return samplesToPlay_ || (player_ && player_->samplesPlaying()); }
 
-  /// A finger, or a force above rest on the sensor.
+  /// True during a press, or while the sensor's force is above its force at rest.
   bool pressed() const { return pressed_; }
   const playback::PlayerStatus& status() const { return status_; }
   SoundState sound() const { return sound_; }
@@ -90,7 +90,7 @@ class FeelPlayer : public QObject {
  signals:
   /// About 100 times a second while something moves, less often at rest.
   void moved();
-  /// A press by hand has ended: its forces over time, or its depths where a depth was pressed.
+  /// A press by hand has ended. The trace has its forces over time, or its depths if a depth was pressed.
   void recorded(std::shared_ptr<const detent::playback::PressTrace> press);
   void felt(const std::vector<detent::playback::EngineEvent>& events);
   void soundChanged();
@@ -123,9 +123,9 @@ class FeelPlayer : public QObject {
   FeelDevices devices_;
   std::shared_ptr<const playback::LiveProgram> program_;
   Player player_;   // null without a program, or in a build without devices
-  Player waiting_;  // open, taken up as soon as no finger is down
+  Player waiting_;  // an open player that replaces `player_` when no finger presses
   std::thread worker_;
-  bool busy_ = false, exchangeAgain_ = false;  // the worker opens or closes a device
+  bool busy_ = false, exchangeAgain_ = false;  // the worker is opening or closing a device
   playback::PlayerSettings output_;
   double gain_ = 1;
   bool soundWanted_ = true;
@@ -141,10 +141,10 @@ class FeelPlayer : public QObject {
   bool liftsForce_ = true;
   Clock::time_point liftedAt_, movedAt_;
   bool pressed_ = false;
-  // Played as soon as the device is open.
+  // a press to be played when the device is open
   std::shared_ptr<const playback::PressTrace> toPlay_;
   std::shared_ptr<const std::vector<float>> samplesToPlay_;
-  std::shared_ptr<playback::PressTrace> recording_;  // the press under way
+  std::shared_ptr<playback::PressTrace> recording_;  // the running press
   Clock::time_point recordedFrom_;
   playback::PlayerStatus status_;
   QTimer timer_;

@@ -10,8 +10,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr double overPress = 1.25;                          // as playback's standard press
-constexpr double stillBelow_mm_per_s = 3, touch_mm = 0.05;  // of a force device's finger
+constexpr double overPress = 1.25;                          // same as playback's standard press
+constexpr double stillBelow_mm_per_s = 3, touch_mm = 0.05;  // limits for the finger of a force device
 
 double fullForceOf(const playback::HapticProgram& program) {
   return std::max(overPress * playback::strongestForce_N(program), 4 * program.hysteresis_N);
@@ -71,7 +71,7 @@ void FeelSession::setDocument(FeelSide side, ButtonDocument* document) {
 
 void FeelSession::feel(FeelSide side) {
   if (!slot(side).document || side == felt_) return;
-  if (motion_.pressed) tellFinger(std::nullopt);  // the finger leaves the graph of the button pressed so far
+  if (motion_.pressed) tellFinger(std::nullopt);  // the finger leaves the graph of the previous button
   felt_ = side;
   underFinger();
   emit feltDocumentChanged(feltDocument());
@@ -134,7 +134,7 @@ bool FeelSession::playable() const { return program() && settings_.sound && !pla
 
 void FeelSession::play() {
   if (!program()) return;
-  // the last press left the button in another state
+  // the last press left the button in its other state
   if (!player_.pressed() && state_ != firstState()) underFinger();
   if (!player_.play(std::make_shared<const playback::PressTrace>(signal()->press)))
     emit said(settings_.sound ? tr("Only one press can be played at a time")
@@ -147,7 +147,7 @@ void FeelSession::setReference(const QString& file) {
   FeelSettings next = settings_;
   next.referenceFile = file;
   if (next.referenceFile == settings_.referenceFile) {
-    loadReference();  // the file may have changed
+    loadReference();  // reloaded, because the file may have changed
   } else {
     setSettings(next);
   }
@@ -246,7 +246,7 @@ void FeelSession::pushDepth(double share) {
 }
 
 const playback::StateProgram* FeelSession::pressedState() const {
-  const auto played = program();  // kept by the felt slot
+  const auto played = program();  // the felt slot owns the program too, so the returned pointer stays valid
   if (!played) return nullptr;
   const playback::HapticProgram& front = played->program;
   return &front.states[(state_ + front.stateCount - firstState()) % front.stateCount];
@@ -260,8 +260,8 @@ void FeelSession::followPlayer() {
   const playback::PlayerStatus& s = player_.status();
   const bool pressed = player_.pressed();
   const std::size_t states = program() ? program()->program.stateCount : 1;
-  // A finger that trembles at one place turns the engine's stroke to and fro; it has turned for the eye once
-  // it moves.
+  // A finger that trembles at one place makes the engine change its stroke often. The display changes it only
+  // when the finger moves.
   const bool rests = pressed && s.displacement_mm == motion_.displacement_mm;
   show({s.displacement_mm, s.force_N, pressed, rests ? motion_.releasing : s.releasing, s.contact},
        (static_cast<std::size_t>(s.state) + firstState()) % states);
@@ -278,7 +278,7 @@ void FeelSession::followForce() {
        last.state);
 }
 
-// One press for both: where the device stands is where the vibration is.
+// Force and vibration belong to one press, so the vibration follows the device's position.
 void FeelSession::followForceState() {
   const bool runs = force_.running();
   if (runs == forceFollowed_) return;
@@ -298,7 +298,7 @@ void FeelSession::show(const FeelMotion& motion, std::size_t state) {
   if (motion.pressed || wasPressed) {
     std::optional<FingerPosition> finger;
     const ButtonDocument* document = feltDocument();
-    // A point of one state says nothing on the graph of the other.
+    // The position in one state has no meaning on the graph of the other state.
     if (motion.pressed && document != nullptr && document->activeState() == state_)
       finger = FingerPosition{motion.displacement_mm, motion.force_N,
                               motion.releasing ? Stroke::release : Stroke::press};

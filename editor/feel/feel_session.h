@@ -34,20 +34,21 @@ struct FeelMotion {
   bool pressed = false, releasing = false, contact = false;
 };
 
-/// Opens no device before the first press; without one everything but the device works. GUI thread.
+/// Lets one finger press one of two buttons. Opens no device before the first press; without a device,
+/// everything else works. GUI thread.
 class FeelSession : public QObject {
   Q_OBJECT
 
  public:
   explicit FeelSession(QObject* parent = nullptr, const FeelDevices& devices = {});
 
-  /// May be null. Must outlive its use here or be destroyed as a QObject.
+  /// `document` may be null. The session notices its destruction as a QObject.
   void setDocument(FeelSide side, ButtonDocument* document);
   ButtonDocument* document(FeelSide side) const { return slot(side).document; }
   FeelSide feltSide() const { return felt_; }
   /// The pressed button: A, or B after an exchange.
   ButtonDocument* feltDocument() const { return felt().document; }
-  /// Puts that button under the finger; does nothing if there is none.
+  /// Selects the button under the finger; does nothing if this side has none.
   void feel(FeelSide side);
   void exchange() { feel(felt_ == FeelSide::a ? FeelSide::b : FeelSide::a); }
   bool exchangeable() const { return slots_[0].document && slots_[1].document; }
@@ -56,7 +57,7 @@ class FeelSession : public QObject {
   void setWatched(bool watched);
   /// Signals of a press of the felt button; null until they are computed.
   const std::shared_ptr<const PressSignal>& signal() const { return felt().signal; }
-  /// Null where nothing can be pressed.
+  /// The program of the felt button; null if it cannot be pressed.
   std::shared_ptr<const playback::LiveProgram> program() const;
   /// State of the felt button that is pressed.
   std::size_t state() const { return state_; }
@@ -83,7 +84,7 @@ class FeelSession : public QObject {
   void pushDepth(double share);
   void lift() { player_.lift(); }
 
-  /// The last press by hand is there to be drawn and played instead of the standard one.
+  /// True if a last press by hand exists, which can be drawn and played instead of the standard press.
   bool ownPressKnown() const { return ownPress_ != nullptr; }
   void drawOwnPress(bool own);
   bool playable() const;
@@ -95,38 +96,39 @@ class FeelSession : public QObject {
   const std::shared_ptr<const ReferenceDrawing>& reference() const { return reference_; }
   /// The reason why there is no reference; empty if there is no trouble.
   const QString& referenceTrouble() const { return referenceTrouble_; }
-  /// Reads a file as the reference; an empty one takes it away.
+  /// Reads a file as the reference; an empty path removes the reference.
   void setReference(const QString& file);
   /// Plays the reference on the sound device, or ends it.
   void playReference();
   void stopReference() { player_.stopSamples(); }
 
   FeelPlayer& player() { return player_; }
-  /// The felt button as force. While it runs the device's finger presses, and vibration follows it.
+  /// The felt button on the force device. While the device runs, its finger presses, and vibration follows
+  /// it.
   ForceSession& force() { return force_; }
   SoundDeviceList& soundDevices() { return soundDevices_; }
 
  signals:
-  /// Documents or their titles.
+  /// The documents or their titles changed.
   void pairChanged();
   void feltDocumentChanged(detent::editor::ButtonDocument* document);
-  /// Another signal or program is under the finger.
+  /// The signal or the program under the finger changed.
   void feltChanged();
   /// Emitted if another state of a self-locking button is pressed.
   void stateChanged();
   void settingsChanged();
   void ownPressChanged();
   void referenceChanged();
-  /// A port to connect to by hand: remembered, or one that could not be reached.
+  /// Offers a port for connecting by hand: one that was stored, or one that could not be opened.
   void sensorOffered(const QString& port);
   /// motion() has changed; at least 60 times a second while a finger presses.
   void moved();
   void eventsFelt(const std::vector<detent::playback::EngineEvent>& events);
   /// Position of the finger on A's graph; nullopt when it has left, and while B is pressed.
   void fingerMoved(std::optional<detent::editor::FingerPosition> position);
-  /// The same for B.
+  /// The same for the finger on B's graph.
   void otherFingerMoved(std::optional<detent::editor::FingerPosition> position);
-  /// A message for the status bar.
+  /// Text for the status bar.
   void said(const QString& message);
 
  private:
@@ -134,7 +136,7 @@ class FeelSession : public QObject {
     QPointer<ButtonDocument> document;
     PressSignalSource source;
     std::shared_ptr<const PressSignal> signal;
-    bool stale = false;  ///< changed while nobody looked
+    bool stale = false;  ///< the button changed while the panel was hidden
   };
   Slot& slot(FeelSide side) { return slots_[static_cast<std::size_t>(side)]; }
   const Slot& slot(FeelSide side) const { return slots_[static_cast<std::size_t>(side)]; }
@@ -168,7 +170,7 @@ class FeelSession : public QObject {
   FeelSide felt_ = FeelSide::a;
   std::size_t state_ = 0;
   bool watched_ = false;
-  std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
+  std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last press by hand
   /// state in which the last press by hand began, and the running one
   std::size_t ownState_ = 0, pressBegan_ = 0;
   bool drawsOwn_ = false;

@@ -18,11 +18,12 @@ struct ForceChoices {
   double largest_N = 0;   ///< 0: the device's own limit
   double step_mm = 0;     ///< encoder step at the finger; 0: the device's own
   double mmPerTurn = 60;  ///< of an ODrive; negative where the motor is mounted the other way
-  QString firmwareFile;   ///< of a Falcon; empty: it has been given one since it was switched on
+  QString firmwareFile;   ///< firmware file of a Falcon; empty: it has received one since it was switched on
   bool upload = false;    ///< of a serial device: it runs the law at its own rate
   bool holds =
       false;  ///< the simulated finger rests in the middle of the travel; else it presses again and again
-  bool controller = false;  ///< damps where the button gives more energy than it took
+  /// the passivity controller adds damping if the button would give more energy than it took
+  bool controller = false;
 
   friend bool operator==(const ForceChoices&, const ForceChoices&) = default;
 };
@@ -54,13 +55,13 @@ struct FeelSettings {
 inline constexpr double lowestGain_dB = -40, highestGain_dB = 20;
 inline constexpr double strongestDevice_N = 100, coarsestStep_mm = 1, longestTurn_mm = 1000;
 double gainOf(double dB);  ///< factor
-/// The sound device they choose.
+/// Settings of the chosen sound device.
 playback::PlayerSettings outputOf(const FeelSettings& settings);
-/// The force device they choose; empty: none. Failure wrongUsage: there is no such kind.
+/// The chosen force device; empty: none. Failure wrongUsage: an unknown kind of device.
 Result<std::optional<playback::ForceDeviceChoice>> forceDeviceOf(const ForceChoices& choices);
 
 QVariantMap toMap(const FeelSettings& settings);
-/// Unknown keys are left out, missing and impossible values become defaults.
+/// Settings from stored values. Unknown keys are ignored; missing and impossible values become defaults.
 FeelSettings feelSettingsFrom(const QVariantMap& map);
 
 }  // namespace detent::editor

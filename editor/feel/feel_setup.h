@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The form behind the pad: how one presses, what is felt, and the devices used.
+// The form behind the pad: how to press, what is felt, and which devices are used.
 
 #include <QWidget>
 
@@ -35,7 +35,7 @@ class FeelSetup : public QWidget {
   /// State of the sensor; `trouble`: the reason why it could not be opened.
   void setSensor(const playback::PlayerStatus& status, const QString& trouble);
   void setBuffer(unsigned frames);
-  /// A port to connect to by hand: devices are not touched before a person asks for them.
+  /// Offers a port for connecting by hand, because devices are not opened before the user requests it.
   void offerPort(const QString& port);
 
  signals:

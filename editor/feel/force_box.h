@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Force on or off, its meters, and whether the device bears the button.
+// Switches force on and off, and shows its meters and whether the device can render the button.
 
 #include <QWidget>
 

@@ -11,7 +11,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int tick_ms = 8;     // 125 Hz wanted, so that a late timer still shows 60
-constexpr int settle_ms = 60;  // after an edit, until margin and device follow
+constexpr int settle_ms = 60;  // delay after an edit before margin and device follow it
 constexpr double atRest_mm = 0.02;
 
 playback::FingerChoice fingerOf(const ForceChoices& choices) {
@@ -102,8 +102,8 @@ void ForceSession::stop() {
   setState(ForceState::off);
 }
 
-// A device may take seconds to open or to let go, and can be open only once: the one in use goes first, on
-// the thread that opens the next.
+// Opening and closing may take seconds, and a device can be open only once. So the device in use is closed
+// first, on the thread that opens the next one.
 void ForceSession::exchange() {
   exchangeAgain_ = busy_;
   timer_.stop();
@@ -112,7 +112,7 @@ void ForceSession::exchange() {
   const bool open = wanted_ && device_ && document_;
   Player old = std::move(player_);
   if (!open && !old) return;
-  setState(open ? ForceState::starting : ForceState::off);  // listeners let go of the old player here
+  setState(open ? ForceState::starting : ForceState::off);  // listeners release the old player here
   busy_ = true;
   playback::ForcePlayerSettings settings;
   if (open) {

@@ -22,36 +22,38 @@ enum class ForceState : std::uint8_t {
   off,
   starting,  ///< the device is being opened
   on,
-  lost,   ///< it went away, without force; taken up again when it is back
+  lost,   ///< the device disappeared, so there is no force; it is opened again when it is back
   failed  ///< the device could not be opened; trouble() says why and what to do
 };
 
 /// Energy that finger and button exchange.
 struct ForceEnergy {
-  double held_mJ = 0;           ///< in the button now, counted from its rest
-  double most_mJ = 0;           ///< largest value in this press, or in the last one
-  double givenBack_mJ = 0;      ///< share of `most_mJ` that came back to the finger, in mJ
-  double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
+  double held_mJ = 0;       ///< in the button now, counted from its rest
+  double most_mJ = 0;       ///< largest value in this press, or in the last one
+  double givenBack_mJ = 0;  ///< share of `most_mJ` that came back to the finger, in mJ
+  /// lowest balance since the start; below 0: the button gave more energy than it had stored
+  double lowestBalance_mJ = 0;
 };
 
-/// Starts by hand only: no force without a request. GUI thread; devices are opened and closed on a thread of
-/// its own.
+/// Runs the pressed button on a force device. Started only by the user, because nobody may hold the device.
+/// GUI thread; devices are opened and closed on a separate thread.
 class ForceSession : public QObject {
   Q_OBJECT
 
  public:
   explicit ForceSession(QObject* parent = nullptr, FeelDevices devices = {});
-  ~ForceSession() override;  ///< takes the force away; waits for a device that is just being opened
+  ~ForceSession() override;  ///< removes the force; waits for a device that is being opened
 
-  /// There is no margin and no force while the panel is hidden: the switch has to be visible.
+  /// Says whether the panel is visible. There is no margin and no force while it is hidden, because the
+  /// switch must be visible.
   void setWatched(bool watched);
-  /// The pressed button; exchanged under the finger. May be null.
+  /// Sets the pressed button, even under a finger. May be null.
   void setDocument(ButtonDocument* document);
   /// Sets the device and its options. A newly chosen device does not start by itself, even while one runs.
   void setChoices(const ForceChoices& choices);
   const ForceChoices& choices() const { return choices_; }
   ButtonDocument* document() const { return document_; }
-  /// The chosen device; none if none is chosen or its name is not understood.
+  /// The chosen device; empty if none is chosen or its name is unknown.
   const std::optional<playback::ForceDeviceChoice>& device() const { return device_; }
   bool simulated() const { return device_ && device_->kind == playback::ForceDeviceKind::simulated; }
 
@@ -61,7 +63,7 @@ class ForceSession : public QObject {
   bool running() const { return state_ == ForceState::on || state_ == ForceState::lost; }
   /// The reason why there is no force, and the remedy; empty if there is no trouble.
   const QString& trouble() const { return trouble_; }
-  /// The running loop, for who follows its position on another thread; null where none runs.
+  /// The running loop, for a reader of its position on another thread; null if none runs.
   std::shared_ptr<const playback::ForcePlayer> player() const { return player_; }
 
   const playback::ForceStatus& status() const { return status_; }
@@ -69,12 +71,12 @@ class ForceSession : public QObject {
   /// Properties of the button that the device cannot render; empty until it runs.
   const std::vector<playback::ForceRemark>& remarks() const { return remarks_; }
 
-  /// Slopes that the chosen device bears along the button's travel; null without a device or a button. Shared
-  /// and never changed.
+  /// Slopes that the chosen device can render along the button's travel; null without a device or a button.
+  /// Shared and never changed.
   const std::shared_ptr<const playback::StabilityMargin>& margin() const { return margin_; }
-  /// One undoable step to the nearest button that the device can render.
+  /// Replaces the button, in one undoable step, by the nearest one that the device can render.
   void makeStable();
-  /// Changes by makeStable in the button as it is now; empty if it is another one.
+  /// Changes that makeStable made to the present button; empty if the button is another one.
   const std::vector<playback::StabilityChange>& changes() const { return changes_; }
 
  signals:
@@ -108,14 +110,14 @@ class ForceSession : public QObject {
   bool watched_ = false, wanted_ = false, busy_ = false, exchangeAgain_ = false;
   ForceState state_ = ForceState::off;
   QString trouble_;
-  double travel_mm_ = 0, rest_mm_ = 0;  ///< as the running device was prepared
+  double travel_mm_ = 0, rest_mm_ = 0;  ///< of the button for which the running device was prepared
   playback::ForceStatus status_;
   std::vector<playback::ForceStep> steps_;
   std::vector<playback::ForceRemark> remarks_;
   ForceEnergy energy_;
   double energyAtRest_mJ_ = 0;
   std::shared_ptr<const playback::StabilityMargin> margin_;
-  std::optional<Button> stable_;  ///< as makeStable left it
+  std::optional<Button> stable_;  ///< result of the last makeStable
   std::vector<playback::StabilityChange> changes_;
   QTimer timer_, soon_;
 };

@@ -17,7 +17,7 @@
 namespace detent::editor {
 namespace {
 
-// As playback::forceDeviceFrom names them; those that end with ':' want a port.
+// Names as playback::forceDeviceFrom takes them. A name that ends with ':' requires a port.
 constexpr char serialKind[] = "serial:", odriveKind[] = "odrive:", falconKind[] = "falcon";
 
 bool wantsPort(const QString& kind) { return kind.endsWith(':'); }

@@ -18,13 +18,13 @@ QString shown(double value, Quantity quantity, const DisplayUnits& units) {
   return quantityWithUnit(value, quantity, units, 3);
 }
 
-/// "locked: " of a self-locking button, else nothing.
+/// State and colon ("locked: ") for a self-locking button, otherwise empty.
 QString stateBefore(const Button& button, std::size_t state) {
   if (!button.selfLocking() || state >= button.states().size()) return {};
   return tr("%1: ").arg(QString::fromStdString(button.states()[state].name));
 }
 
-/// "from 1.2 to 1.5 mm", "at 4 mm" where the two read alike.
+/// "from 1.2 to 1.5 mm", or "at 4 mm" if both ends have the same text.
 QString placeWords(double from_mm, double to_mm, const DisplayUnits& units) {
   const QString from = quantityText(from_mm, Quantity::length, units, 3);
   const QString to = quantityText(to_mm, Quantity::length, units, 3);

@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// A sentence with range and slope of a stretch, and the slope that the device bears.
+/// Sentence with the range and slope of a stretch, and the slope that the device can render there.
 QString stretchWords(const playback::UnstableStretch& stretch, const Button& button,
                      const DisplayUnits& units);
 /// Number of unstable places and the worst of them; a positive sentence if there is none.

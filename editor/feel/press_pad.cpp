@@ -17,11 +17,12 @@ namespace {
 
 constexpr double flash_ms = 250;
 constexpr int frame_ms = 16;
-constexpr double side_px = 62;        // width of the scales beside the cap
-constexpr double lampTop_px = 30;     // the lamps
-constexpr double bottom_px = 46;      // the read-out
-constexpr double dragOfPad = 0.55;    // this share of the pad's height drags through the whole travel
-constexpr double travelOfCap = 0.32;  // of the area's height; the cap takes the rest and ends on the floor
+constexpr double side_px = 62;      // width of the scales beside the cap
+constexpr double lampTop_px = 30;   // the lamps
+constexpr double bottom_px = 46;    // height of the read-out
+constexpr double dragOfPad = 0.55;  // a drag over this share of the pad's height covers the whole travel
+// share of the area's height; the cap takes the rest and ends at the floor
+constexpr double travelOfCap = 0.32;
 constexpr double floor_px = 14;
 
 bool isPressKey(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
@@ -143,7 +144,7 @@ void PressPad::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void PressPad::tabletEvent(QTabletEvent* event) {
-  event->accept();  // otherwise Qt makes a mouse event of it
+  event->accept();  // otherwise Qt converts it to a mouse event
   switch (event->type()) {
     case QEvent::TabletPress:
       setFocus(Qt::MouseFocusReason);
@@ -189,7 +190,7 @@ bool PressPad::event(QEvent* event) {
     case QEvent::TouchCancel:
       return touch(*static_cast<QTouchEvent*>(event));
     case QEvent::ShortcutOverride: {
-      // A shortcut of the window on Space or Enter does not take the press away.
+      // A window shortcut on Space or Enter must not intercept the press.
       auto* key = static_cast<QKeyEvent*>(event);
       if (isPressKey(key->key()) && key->modifiers() == Qt::NoModifier) event->accept();
       break;
@@ -298,7 +299,7 @@ void PressPad::paintDepth(QPainter& painter) const {
   painter.setPen(colors.axis);
   const DisplayUnits& units = settings_.units();
   const QRectF label(x + 14, area.top() - 8, side_px - 20, 16);
-  // A curve that was read off a page starts a little beside zero.
+  // A curve that was read from a page may start slightly off zero.
   const bool startsAtZero = std::abs(button_->start_mm) < button_->end_mm / 2000;
   painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter,
                    numberText(units.lengthFrom(startsAtZero ? 0 : button_->start_mm), 3));
@@ -382,7 +383,8 @@ void PressPad::paintCap(QPainter& painter) const {
   painter.drawText(text, Qt::AlignHCenter | Qt::AlignBottom, below);
 }
 
-// Lights without an event of the engine, too: not every curve ends in a bottom-out.
+// True at the end of the travel, with or without an event of the engine, because not every curve ends in a
+// bottom-out.
 bool PressPad::isAtEnd() const {
   return motion_.pressed && button_ && motion_.displacement_mm >= button_->end_mm;
 }

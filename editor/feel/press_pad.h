@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The pad one presses: turns mouse, keys, pen and touch into a finger, and shows where the button stands.
+// The pad for pressing: converts mouse, keys, pen and touch to a finger, and shows the button's position.
 
 #include <optional>
 #include <QElapsedTimer>
@@ -45,10 +45,10 @@ class PressPad : public QWidget {
  public:
   explicit PressPad(ViewSettings& settings, QWidget* parent = nullptr);
 
-  /// Null: nothing to press; `why` is shown instead.
+  /// Sets the button that is drawn. Null: nothing can be pressed, and `why` is shown instead.
   void setButton(std::optional<PadButton> button, const QString& why = {});
   void setMotion(const PadMotion& motion);
-  /// Lights the mark of something that was felt, for a quarter of a second.
+  /// Lights the mark of an event for a quarter of a second.
   enum class Lamp { pressJump, releaseJump, bottomOut };
   void flash(Lamp lamp);
   void setDrive(Drive drive) { drive_ = drive; }

@@ -5,7 +5,7 @@
 
 namespace detent::editor {
 
-// Outdated results are reported too: while a hand drags, the waveform follows it.
+// Reports outdated results too, so that the waveform follows a drag.
 PressSignalSource::PressSignalSource(QObject* parent)
     : QObject(parent), answers_(this, [this](const auto& query) {
         auto signal = std::make_shared<PressSignal>(pressSignalOf(query.request));

@@ -12,16 +12,16 @@
 
 namespace detent::editor {
 
-/// One worker thread, begun with the first request. At most one request waits while one is computed, so an
-/// answer is never older than two computations. Its end waits some milliseconds for the running computation.
-/// GUI thread, except where said.
+/// One worker thread, started by the first request. At most one request waits while one is computed, so an
+/// answer is never older than two computations. The destructor waits some milliseconds for the running
+/// computation. GUI thread, except where stated.
 class PressSignalSource : public QObject {
   Q_OBJECT
 
  public:
   explicit PressSignalSource(QObject* parent = nullptr);
 
-  /// Gives the revision that the answer will carry, unless a later request overtakes it.
+  /// Returns the revision that the answer will have, unless a later request replaces this one.
   std::uint64_t request(PressSignalRequest request) { return answers_.ask(std::move(request)); }
   std::uint64_t lastRequested() const { return answers_.latest(); }
 

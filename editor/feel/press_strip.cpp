@@ -96,7 +96,7 @@ void PressStrip::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 1; i < moments_.size(); ++i) {
     const Moment &a = moments_[i - 1], &b = moments_[i];
-    if (b.time_s - a.time_s > 0.2) continue;  // nothing was followed in between
+    if (b.time_s - a.time_s > 0.2) continue;  // the finger was not followed during this gap
     const auto y = [&](double depth) { return area.top() + std::clamp(depth, 0.0, 1.0) * area.height(); };
     painter.setPen(QPen(b.releasing ? colors.release : colors.press, 1.6));
     painter.drawLine(QPointF(x(a.time_s), y(a.depth)), QPointF(x(b.time_s), y(b.depth)));

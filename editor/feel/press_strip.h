@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The last seconds of pressing: depth over time, and everything that was felt when it was felt.
+// The last seconds of pressing: depth over time, and the felt events at their times.
 
 #include <deque>
 #include <QWidget>
@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// A strip chart that runs while something happens and stands still otherwise. GUI thread.
+/// A strip chart that moves while something happens and stops otherwise. GUI thread.
 class PressStrip : public QWidget {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class PressStrip : public QWidget {
   };
   /// Times on one steady clock, never decreasing.
   void addMoment(const Moment& moment);
-  /// The last event happened at `time_s`, the others as much earlier as their frames say.
+  /// Adds events. The last one happened at `time_s`; the times of the others follow from their frames.
   void addEvents(const std::vector<playback::EngineEvent>& events, double time_s, double sampleRate_Hz);
   void clear();
 

@@ -21,7 +21,7 @@ QComboBox* comboBox(const QString& name, const QString& tip);
 QComboBox* comboBoxOfNames(const QString& name, const QString& tip);
 /// A small grey line below a field.
 QLabel* noteLabel(const QString& name);
-/// Side by side; the first one takes the room.
+/// Widgets in a row; the first one takes the available width.
 QWidget* rowOf(std::initializer_list<QWidget*> widgets);
 
 template <class Value>

@@ -17,7 +17,7 @@ namespace {
 using playback::EventKind;
 
 constexpr double left_px = 44, right_px = 12, top_px = 18, timeAxis_px = 30, marks_px = 22, noMarks_px = 6;
-constexpr double lowestSpan = 0.1;  // of full scale: silence is not blown up
+constexpr double lowestSpan = 0.1;  // share of full scale: a silent signal is not enlarged further
 
 QFont small(const QFont& font) {
   QFont result = font;
@@ -242,7 +242,7 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
     painter.drawPath(force);
   }
 
-  // Per device pixel the range of its samples, so that no peak is lost at any width.
+  // Draws the range of the samples of each device pixel, so that no peak is lost at any width.
   const double pixel = 1 / devicePixelRatioF();
   const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor(area.width() / pixel)));
   const std::vector<float>& samples = signal_->samples;
@@ -253,7 +253,7 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
     const std::size_t from = c * drawn / columns;
     const std::size_t to = std::max(from + 1, (c + 1) * drawn / columns);
     if (from >= samples.size()) break;
-    float low = previous, high = previous;  // joined to the neighbouring column
+    float low = previous, high = previous;  // connected with the neighbouring column
     for (std::size_t i = from; i < to && i < samples.size(); ++i) {
       low = std::min(low, samples[i]);
       high = std::max(high, samples[i]);

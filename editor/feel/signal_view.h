@@ -21,13 +21,13 @@ class SignalView : public QWidget {
  public:
   explicit SignalView(QWidget* parent = nullptr);
 
-  /// Null: nothing to show.
+  /// Sets the signal; null: nothing to show.
   void setSignal(std::shared_ptr<const PressSignal> signal);
   const std::shared_ptr<const PressSignal>& pressSignal() const { return press_; }
-  /// A signal of another program instead, called `name`.
+  /// Shows the signal of another program, with the name `name`.
   void setReference(std::shared_ptr<const ReferenceDrawing> reference, const QString& name);
-  /// Draws at least so long a time (s) and so high a level (share of full scale), so that two views compare;
-  /// 0: what the signal needs.
+  /// Sets the smallest duration (s) and level (share of full scale) of the axes, so that two views can be
+  /// compared; 0: those of the signal.
   void setLeast(double duration_s, double peak);
   /// Time span of the axis.
   double drawnDuration_s() const { return layoutOf().duration_s; }
@@ -36,7 +36,7 @@ class SignalView : public QWidget {
   QSize minimumSizeHint() const override;
 
  signals:
-  /// The signal of this revision is on the screen.
+  /// The signal of this revision has been drawn.
   void shown(quint64 revision);
 
  protected:
@@ -64,7 +64,8 @@ class SignalView : public QWidget {
   std::shared_ptr<const PressSignal> press_;  ///< `signal_` if it is a press signal; otherwise null
   QString heading_;
   double leastDuration_s_ = 0, leastPeak_ = 0;
-  QImage picture_;  ///< of the spectrogram, one pixel per column and row; made when first drawn
+  /// picture of the spectrogram, one pixel per column and row; made when it is first drawn
+  QImage picture_;
   std::optional<QPointF> cursor_;
 };
 

@@ -95,7 +95,7 @@ QLayout* SoundBox::statusRow() {
   status_ = wrappingLabel("soundStatus");
   again_ = described(new QPushButton(tr("Try again")), "soundAgain", tr("Open the sound device once more"));
   connect(again_, &QPushButton::clicked, &session_.player(), &FeelPlayer::startSound);
-  // Room for the longest words, so that the controls below do not move when they appear.
+  // Reserves space for the longest text, so that the controls below do not move.
   status_->setMinimumHeight(mostStatusLines * status_->fontMetrics().lineSpacing());
   status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   QSizePolicy kept = again_->sizePolicy();
@@ -161,7 +161,7 @@ QString SoundBox::feltWords() const {
 void SoundBox::showStatus() {
   const SoundState sound = session_.player().sound();
   const QString text = soundWords();
-  // Figures change all the time, so they are shown only now and then.
+  // Figures change all the time, so they are updated only now and then.
   const bool figures = sound == SoundState::on && shownSound_ == SoundState::on;
   if (text != status_->text() && (!figures || steadyTime_s() - figuresAt_s_ > figuresEvery_s)) {
     status_->setText(text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Sound on or off, its level and gain, and how the sound device is doing.
+// Switches sound on and off, sets its gain, and shows its level and the state of the sound device.
 
 #include <QWidget>
 

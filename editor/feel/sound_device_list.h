@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// List of sound devices, read without stopping the window: some drivers take seconds to answer.
+// List of sound devices, read off the GUI thread, because some drivers take seconds to answer.
 
 #include <QObject>
 #include <QString>
@@ -11,19 +11,19 @@
 
 namespace detent::editor {
 
-/// GUI thread; asks on a thread of its own, one question at a time.
+/// GUI thread; the devices are listed on a separate thread, one query at a time.
 class SoundDeviceList : public QObject {
   Q_OBJECT
 
  public:
   explicit SoundDeviceList(QObject* parent = nullptr, FeelDevices devices = {});
-  ~SoundDeviceList() override;  ///< waits for an answer that is under way
+  ~SoundDeviceList() override;  ///< waits for a running query
 
   void refresh();
   bool asking() const { return asking_; }
   /// Devices with an output, as last listed.
   const std::vector<playback::SoundDevice>& outputs() const { return outputs_; }
-  /// The reason why there is no list, and the remedy; empty if there is one.
+  /// The reason why there is no list, and the remedy; empty if there is a list.
   const QString& trouble() const { return trouble_; }
 
  signals:
