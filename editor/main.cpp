@@ -30,7 +30,7 @@ int wrong(const QString& sentence, FailureCode code) {
   return static_cast<int>(code);
 }
 
-// Before a window system is needed: --help works everywhere.
+// Answers options such as --help before a window system is needed.
 std::optional<int> answeredAtOnce(const Arguments& arguments) {
   if (arguments.help) return std::fputs(qPrintable(helpText()), stdout), 0;
   if (arguments.version) return std::printf("detent-edit %s\n", version()), 0;
@@ -38,7 +38,7 @@ std::optional<int> answeredAtOnce(const Arguments& arguments) {
   return {};
 }
 
-// Qt aborts without one; that would resemble a crash.
+// Returns true if there is no screen. Qt would then abort, as in a crash.
 bool screenMissing(const QStringList& words) {
   const bool windowsByServer =
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
@@ -89,8 +89,8 @@ int main(int argc, char** argv) {
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication::setStyle(outlinedStyle());
     QApplication app(argc, argv);
-    // Qt has taken the desktop's rules over for the C library, too. Files and drawings are read and written
-    // with a point; what a person sees goes through QLocale.
+    // Qt has applied the desktop's locale to the C library too. Files and drawings use a decimal point; texts
+    // for the user go through QLocale.
     std::setlocale(LC_NUMERIC, "C");
     QCoreApplication::setOrganizationName("Detent");
     QCoreApplication::setApplicationName("detent-edit");

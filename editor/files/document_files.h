@@ -14,13 +14,14 @@ namespace detent::editor {
 /// graphFromCsv, and of inputKindOf; wrongUsage for pages, which go through the import dialogue.
 Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path);
 
-/// A new document of an import: unsaved from the start, because finding it may have cost an hour of work.
+/// A new document of an import. It is unsaved from the start, because the corrections may have cost an hour
+/// of work.
 std::unique_ptr<ButtonDocument> importedDocument(std::shared_ptr<const importer::ImportReport> report);
 
 /// State of a document's file since it was last read or written here.
 enum class DiskState {
   asKnown,
-  changed,  ///< somebody else wrote it; writing now would take their work away
+  changed,  ///< another program has written it; writing now would overwrite that work
   gone      ///< deleted or moved away
 };
 /// Reads and hashes the whole file; called before every write.
@@ -30,13 +31,14 @@ DiskState diskStateOf(const ButtonDocument& document);
 /// failure file and document are as before.
 Result<Done> saveDocument(ButtonDocument& document, const QString& path);
 
-/// Exchanges the button for what the file holds now, as one step that can be undone; unmodified afterwards.
+/// Replaces the button by the present contents of the file, in one undoable step; the document is unmodified
+/// afterwards.
 Result<Done> reloadDocument(ButtonDocument& document);
 
 /// "x" and "x.button" become "x.button.json"; a name that ends in ".json" stays.
 QString withButtonEnding(const QString& path);
 
-/// A whole button as text for the clipboard: what its file would hold.
+/// A whole button as text for the clipboard: the text of its file.
 QString buttonText(const Button& button);
 /// A new, unsaved document from such text; failures as readButtonFile, with `source` as their subject.
 Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text, const QString& source = {});

@@ -19,18 +19,18 @@ Result<Done> exportCsv(const Button& button, std::size_t state, const QString& p
 /// As exportCsv, for spreadsheets of countries with a decimal comma: fields separated by semicolons.
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
 
-/// Travels in mm from what a person typed, units as shown: one number is a step from zero to the end, several
-/// are the travels themselves, parted by spaces or semicolons. Failure: a number that cannot be read, lies
-/// outside the travel, or a step that gives too many samples.
+/// Travels in mm from typed text, in the shown units. One number is a step from zero to the end; several,
+/// separated by spaces or semicolons, are the travels themselves. Failure: a number that cannot be read, lies
+/// outside the travel, or is a step that gives too many samples.
 Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& graph,
                                         const DisplayUnits& units);
 
 /// Key of the text in a PNG that holds the button, without notes, versions and page.
 inline const QString buttonInPicture = QStringLiteral("detent-button");
-/// A picture with its button inside: Detent opens the button, not the picture.
+/// Writes a picture that contains its button: Detent opens the button, not the picture.
 Result<Done> exportButtonPng(QImage picture, const Button& button, const QString& path);
 Result<Done> exportPng(const QImage& picture, const QString& path);
-/// A drawing of that size by the path's ending: ".svg" and ".pdf" by `draw` as vectors, anything else
+/// Writes a drawing of this size, by the path's ending: ".svg" and ".pdf" as vectors by `draw`, anything else
 /// `picture` as PNG.
 Result<Done> exportDrawing(QSize size, const QString& path,
                            const std::function<void(QPaintDevice&, QSize)>& draw,
@@ -44,11 +44,11 @@ Result<Done> exportWav(const Button& button, std::size_t state, const QString& p
 /// playback::sharePage, or the disk's.
 Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path);
 
-/// The button as a data package of Frictionless, byte for byte as `detent-graph convert` writes it: in
-/// `folder`, which is made where it is not there, and not left behind empty.
+/// Writes the button as a Frictionless data package, byte for byte as `detent-graph convert` does. `folder`
+/// is created if it does not exist, and removed again if it would stay empty.
 Result<Done> exportDataPackage(const Button& button, const QString& folder);
-/// A state as a project of WebPlotDigitizer, axes in `units`, as `detent-graph convert` writes it: with its
-/// picture (a TAR archive), or, where `path` ends in .json, without.
+/// Writes a state as a WebPlotDigitizer project, as `detent-graph convert` does, with axes in `units`: with
+/// its picture (a TAR archive), or without it if `path` ends in .json.
 Result<Done> exportTracedProject(const Button& button, std::size_t state, const DisplayUnits& units,
                                  const QString& path);
 

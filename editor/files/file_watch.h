@@ -11,18 +11,18 @@ namespace detent::editor {
 
 /// SHA-1 of a file's contents; empty where it cannot be read. Any thread.
 QByteArray contentHash(const QString& path);
-/// The same of contents in memory.
+/// The hash of contents in memory.
 QByteArray contentHash(const QByteArray& contents);
 
-/// Compares contents, so touching a file or writing the same again is no change. Writers that rename a new
-/// file over the old one are followed: folders are watched as well. GUI thread.
+/// Compares contents, so a touched file, or one written again unchanged, does not count as changed. Folders
+/// are watched too, to notice programs that rename a new file over the old one. GUI thread.
 class FileWatch : public QObject {
   Q_OBJECT
 
  public:
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// From here on the present contents of the file are known; called again after saving.
+  /// Takes the file's present contents as known; called again after saving.
   void watch(const QString& path);
   void forget(const QString& path);
 
@@ -37,7 +37,7 @@ class FileWatch : public QObject {
   void watchOnDisk(const QString& path);
 
   QFileSystemWatcher watcher_;
-  QTimer settle_;                     // writers are given a moment to finish
+  QTimer settle_;                     // delay until another program has finished writing
   QHash<QString, QByteArray> known_;  // hash of the contents; empty: the file was gone
 };
 

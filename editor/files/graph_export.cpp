@@ -19,8 +19,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr double pxPerMm = 96 / 25.4;                                          // a CSS pixel
-constexpr double colourDotsPerMm = 300 / 25.4, lineArtDotsPerMm = 600 / 25.4;  // as printers ask for
+constexpr double pxPerMm = 96 / 25.4;  // a CSS pixel
+// resolutions that printers require
+constexpr double colourDotsPerMm = 300 / 25.4, lineArtDotsPerMm = 600 / 25.4;
 constexpr double mostDots = 16'000;
 
 Failure notDrawn(const QString& path) {
@@ -179,7 +180,7 @@ QSizeF graphSize_mm(const Button& button, const SvgPlotStyle& style) {
 bool paintGraph(QPainter& painter, const QRectF& place, const Button& button, const SvgPlotStyle& style) {
   QByteArray svg = QByteArray::fromStdString(svgFrom(button, style));
   DrawnTexts texts;
-  // Qt's renderer makes outlines of words; in a PDF they are to be read, found and copied.
+  // Qt's renderer draws words as outlines, but in a PDF it must be possible to select and search them.
   if (painter.paintEngine()->type() == QPaintEngine::Pdf) {
     texts = textsOf(svg);
     static const QRegularExpression textElement("<text [^>]*>[^<]*</text>");

@@ -17,7 +17,7 @@ namespace detent::editor {
 /// Purpose of the graph.
 enum class GraphPreset {
   datasheet,  ///< 150 mm, callouts and dimensions
-  paper,      ///< 88 mm, one column, black, nothing but the curves
+  paper,      ///< 88 mm, one column, black, only the curves
   slide,      ///< 254 mm, large and thick
 };
 enum class GraphFileFormat { svg, pdf, png };
@@ -29,7 +29,7 @@ struct GraphExport {
   SvgPlotStyle style;  ///< width_mm is set
 };
 
-/// Size, fonts and what is shown; axes in `units`.
+/// Size, fonts and contents of a preset; axes in `units`.
 SvgPlotStyle styleOf(GraphPreset preset, const DisplayUnits& units);
 /// The words of a plot in that language.
 PlotWords plotWords(PlotLanguage language);
@@ -40,11 +40,12 @@ bool hasRoom(const SvgPlotStyle& style);
 
 /// Size of the whole drawing: one plot per state.
 QSizeF graphSize_mm(const Button& button, const SvgPlotStyle& style);
-/// Draws it into `place` of the painter's coordinates, as large as fits. False: no drawing.
+/// Draws the graph into `place` of the painter's coordinates, as large as fits. Returns false if nothing was
+/// drawn.
 bool paintGraph(QPainter& painter, const QRectF& place, const Button& button, const SvgPlotStyle& style);
 /// Image at 300 dpi, black and white at 600 dpi; at most 16,000 pixels wide and high.
 QImage graphImage(const Button& button, const SvgPlotStyle& style);
-/// The whole file, or a Failure that says what stood in the way.
+/// Writes the whole file; the Failure says why it could not be written.
 Result<Done> exportGraph(const Button& button, const GraphExport& wanted, const QString& path);
 
 }  // namespace detent::editor

@@ -98,7 +98,7 @@ QStringList sheetsBelow(const QString& folder) {
   QStringList paths;
   for (QDirIterator each(folder, patterns, QDir::Files, QDirIterator::Subdirectories); each.hasNext();)
     paths << each.next();
-  QCollator order{QLocale(QLocale::English)};  // the C locale knows no numbers
+  QCollator order{QLocale(QLocale::English)};  // the C locale cannot sort numbers
   order.setNumericMode(true);
   std::sort(paths.begin(), paths.end(), order);
   return paths;

@@ -64,13 +64,13 @@ void OpenMarks::take(ButtonDocument& document, Mark& mark) {
   mark.other.reset();
   if (!mark.path.isEmpty() && QDir().mkpath(folder_)) {
     auto lock = std::make_unique<QLockFile>(QDir(folder_).filePath(lockName(mark.path)));
-    lock->setStaleLockTime(0);  // a lock is stale only when its process is gone
+    lock->setStaleLockTime(0);  // a lock is stale only if its process has ended
     if (lock->tryLock(0)) {
       mark.lock = std::move(lock);
     } else {
       qint64 process = 0;
       QString host, program;
-      // A folder that cannot be written marks nothing, and stands in nobody's way.
+      // A folder that cannot be written to gives no marks, and blocks nobody.
       if (lock->getLockInfo(&process, &host, &program)) mark.other = process;
     }
   }

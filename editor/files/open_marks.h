@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which running editor has which file open, so that two of them can say so before one overwrites the other.
+// Marks of the files that each running editor has open, so that two editors can warn before one overwrites
+// the other's file.
 
 #include <map>
 #include <memory>
@@ -13,10 +14,9 @@
 
 namespace detent::editor {
 
-/// One lock file per open button file, in a folder of the person's own (never beside the file), named by the
-/// file's real path. The mark of an editor that died counts for nothing. A document that finds its file
-/// marked tries again every few seconds, so that the mark goes over when the other editor lets go. GUI
-/// thread.
+/// One lock file per open button file, in a folder of the user (never beside the file), named by the file's
+/// real path. The mark of an editor that has crashed is ignored. A document whose file is marked tries again
+/// every few seconds, and gets the mark when the other editor closes the file. GUI thread.
 class OpenMarks : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class OpenMarks : public QObject {
   std::optional<qint64> otherEditor(const ButtonDocument& document) const;
 
  signals:
-  /// Another editor has the file of this document, or has it no longer.
+  /// Another editor has opened or closed this document's file.
   void otherEditorChanged(detent::editor::ButtonDocument* document);
 
  private:

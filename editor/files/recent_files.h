@@ -8,8 +8,9 @@
 
 namespace detent::editor {
 
-/// Newest first, each once, at most `kept`. Files that have gone stay listed (a drive may be away) until
-/// opening them fails. GUI thread; two running editors share the list through the settings.
+/// The list, newest first, without duplicates, with at most `kept` files. Missing files stay listed (a drive
+/// may be disconnected) until opening them fails. GUI thread; two running editors share the list through the
+/// settings.
 class RecentFiles : public QObject {
   Q_OBJECT
 

@@ -103,7 +103,7 @@ void RecoveryStore::report(const QString& sentence) {
     emit failed(sentence);
 }
 
-// By the writer, so that an earlier write cannot bring it back.
+// Removed on the writer's thread, so that an earlier write cannot create the file again.
 void RecoveryStore::removeFile(Watched& watched) {
   if (!std::exchange(watched.onDisk, false)) return;
   writer_.start([file = watched.file] { QFile::remove(file); });
@@ -168,7 +168,7 @@ QString RecoveryStore::keepPicture(const QImage& picture) {
 void RecoveryStore::keepImport(const QByteArray& text) {
   if (!openSession()) return;
   writer_.start([file = nativePath(QDir(session_).filePath(importFile)), text] {
-    (void)writeTextFileAtomically(file, text.toStdString());  // write() reports a disk that fails, once
+    (void)writeTextFileAtomically(file, text.toStdString());  // write() reports a failing disk, once
   });
 }
 

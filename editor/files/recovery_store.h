@@ -30,9 +30,9 @@ struct LeftImport {
   QByteArray text;
 };
 
-/// Keeps a recovery file beside every modified document it watches, and finds those of dead editors. An
-/// editor's files are guarded by a lock with its process id, so two running ones never take each other's. GUI
-/// thread; files are written by one thread of its own.
+/// Keeps a recovery file for every modified document that it watches, and finds those of editors that have
+/// crashed. An editor's files are guarded by a lock with its process id, so running editors never take each
+/// other's files. GUI thread; a separate thread writes the files.
 class RecoveryStore : public QObject {
   Q_OBJECT
 
@@ -57,11 +57,11 @@ class RecoveryStore : public QObject {
   /// Documents of dead editors, newest first. They stay reserved for this editor until it ends. Files that
   /// cannot be read are named in `unreadable` and stay where they are.
   QList<LeftBehind> leftBehind(QStringList* unreadable = nullptr);
-  /// Recovered or not wanted: deletes the file.
+  /// Deletes the file, because the document was recovered or is not wanted.
   void discard(const LeftBehind& left);
 
-  /// The unfinished import of this editor: its text, and its picture where it was pasted (given once). Gives
-  /// where the picture lies; empty without one.
+  /// Stores the pasted picture of an unfinished import (once per import) and returns its path; the path is
+  /// empty without a picture.
   QString keepPicture(const QImage& picture);
   void keepImport(const QByteArray& text);
   /// Called when the import is finished or discarded.
@@ -71,7 +71,8 @@ class RecoveryStore : public QObject {
   void discard(const LeftImport& left);
 
  signals:
-  /// A recovery file could not be written; a sentence for the status bar. Said once until one succeeds.
+  /// A recovery file could not be written; `sentence` is for the status bar. Emitted only once until a write
+  /// succeeds.
   void failed(const QString& sentence);
 
  private:
@@ -91,7 +92,7 @@ class RecoveryStore : public QObject {
   std::unique_ptr<QLockFile> lock_;
   std::vector<std::unique_ptr<QLockFile>> reserved_;
   QHash<ButtonDocument*, std::shared_ptr<Watched>> watched_;
-  QThreadPool writer_;  // one thread: later requests are done later
+  QThreadPool writer_;  // one thread, so that requests are executed in order
   QList<LeftImport> leftImports_;
   int nextFile_ = 1;
   bool failing_ = false;

@@ -65,7 +65,7 @@ void ForecastBar::search() {
   });
 }
 
-/// A menu of what was found; each entry is one step that can be undone.
+/// Opens a menu of the suggestions; each entry is one undoable step.
 void ForecastBar::offer(const Found& found, const Button& searched) {
   searching_ = false;
   help_->setText(tr("Make &distinguishable…"));

@@ -24,7 +24,7 @@ class ForecastBar : public QWidget {
 
  public:
   explicit ForecastBar(QWidget* parent = nullptr);
-  ~ForecastBar() override;  ///< gives up a running search
+  ~ForecastBar() override;  ///< cancels a running search
 
   /// Sets the pair; "make distinguishable" changes `changed`. Null: no pair.
   void setPair(ButtonDocument* changed, ButtonDocument* other);

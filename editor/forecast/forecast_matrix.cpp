@@ -16,7 +16,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int soon_ms = 150;
-constexpr double mostErrors = 45;  // in 90, by guessing
+constexpr double mostErrors = 45;  // errors in 90 trials by guessing
 constexpr float strongestTint = 0.6F;
 
 }  // namespace
@@ -79,7 +79,7 @@ void ForecastMatrix::setDocuments(const std::vector<ButtonDocument*>& documents)
   }
   if (documents == documents_) return;
   documents_ = documents;
-  source_.cancel();  // an answer about the others must not come into these rows
+  source_.cancel();  // otherwise an answer for the previous buttons could fill these rows
   const int others = std::max(0, static_cast<int>(documents_.size()) - 1);
   table_->clear();
   table_->setRowCount(others);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// All open buttons against each other: how many errors in 90 people will probably make.
+// Compares all open buttons pairwise: the number of errors in 90 that people will probably make.
 
 #include <QDialog>
 #include <QLabel>
@@ -25,7 +25,7 @@ class ForecastMatrix : public QDialog {
   void setDocuments(const std::vector<ButtonDocument*>& documents);
 
  signals:
-  /// Two buttons are to be overlaid in the comparison.
+  /// Requests a comparison of two buttons with overlaid curves.
   void compareRequested(detent::editor::ButtonDocument* a, detent::editor::ButtonDocument* b);
 
  protected:

@@ -70,7 +70,7 @@ playback::PredictedPair ForecastSource::pairOf(const Felt& a, const Felt& b) {
   return keptPairs_.emplace(key, playback::predictConfusion(a.felt, b.felt)).first->second;
 }
 
-/// Every edit leaves a button behind; those of the last request stay.
+/// Every edit creates another button, so only those of the last request are kept.
 void ForecastSource::forgetOld(const FeltList& used) {
   if (kept_.size() <= mostKept) return;
   kept_ = used;

@@ -28,23 +28,23 @@ struct Forecast {
   QString trouble;  ///< why there is no forecast; empty otherwise
 };
 
-/// One worker thread, begun with the first request. What a button feels like and what was said of a pair is
-/// kept, so that an edit of one of fifty costs one button and its pairs. Its end gives up what runs, and
-/// waits some milliseconds. GUI thread, except where said.
+/// One worker thread, started by the first request. Signals of buttons and forecasts of pairs are kept, so
+/// that an edit of one of fifty buttons costs one button and its pairs. The destructor cancels the running
+/// request, which takes some milliseconds. GUI thread, except where stated.
 class ForecastSource : public QObject {
   Q_OBJECT
 
  public:
   explicit ForecastSource(QObject* parent = nullptr);
 
-  /// Gives the revision of the answer, unless a later request overtakes it.
+  /// Returns the revision of the answer, unless a later request replaces this one.
   std::uint64_t request(std::vector<Button> buttons, ForecastPairs pairs = ForecastPairs::all) {
     return answers_.ask({std::move(buttons), pairs});
   }
-  void cancel() { answers_.cancel(); }  ///< no answer comes for earlier requests
+  void cancel() { answers_.cancel(); }  ///< suppresses the answers to earlier requests
 
  signals:
-  /// Buttons and pairs.
+  /// Number of finished pairs.
   void progress(int done, int all);
   void ready(std::shared_ptr<const detent::editor::Forecast> forecast);
 
@@ -60,14 +60,14 @@ class ForecastSource : public QObject {
     playback::FeltButton felt;
   };
   using FeltList = std::vector<std::shared_ptr<const Felt>>;
-  // Worker thread; nothing when overtaken.
+  // Worker thread; empty if a newer request exists.
   std::optional<Forecast> compute(const Query& query);
   Result<std::shared_ptr<const Felt>> feltOf(const Button& button, const Query& query);
   playback::PredictedPair pairOf(const Felt& a, const Felt& b);
   void forgetOld(const FeltList& used);
   void tellProgress(const Query& query, std::size_t done, std::size_t all);
 
-  // Of the worker thread.
+  // Used by the worker thread only.
   FeltList kept_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, playback::PredictedPair> keptPairs_;
   std::uint64_t nextId_ = 0;

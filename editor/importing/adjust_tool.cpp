@@ -27,7 +27,7 @@ double distanceToSegment(QPointF p, QPointF a, QPointF b) {
   return distanceTo(p, a + t * d);
 }
 
-/// Edges parallel to the page's: a drag keeps it a rectangle.
+/// Returns true if the edges are parallel to the page's, so that a drag keeps the frame a rectangle.
 bool isUpright(const FrameCorners& c) {
   const double size = std::hypot(c[2].x - c[0].x, c[2].y - c[0].y), within = 1e-3 * size;
   const auto straight = [within](importer::Point a, importer::Point b) {
@@ -295,7 +295,7 @@ void AdjustTool::give(const MarkCorrection& mark, const QString& label) {
   takeMarks(view_, next, label);
 }
 
-// Which points can be added where the pointer is, and the one under it taken away.
+// Menu of the points that can be added at the pointer, and of removing the point under it.
 bool AdjustTool::menu(QPointF widget, QPoint global) {
   if (!view_.drawn().press) return false;
   auto under = handleAt(widget);

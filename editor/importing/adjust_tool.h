@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// Something on the page that can be taken hold of.
+/// A corner, edge, tick, mask or point on the page that can be dragged.
 struct PageHandle {
   enum class Kind { corner, edge, givenTick, foundTick, mask, point } kind = Kind::corner;
   GraphAxis axis = GraphAxis::x;  ///< of ticks

@@ -75,7 +75,8 @@ void AdviceBar::say(Tone tone, const Advice& advice) {
   show();
 }
 
-// Of the units of both axes one is requested at a time; its answer leads to the next question.
+// If the units of both axes are missing, one is requested first; its answer leads to the question for the
+// other.
 void AdviceBar::addButtons(const std::vector<RemedyKind>& remedies) {
   unit_ = button_ = 0;
   const auto isUnit = [](RemedyKind remedy) {
@@ -113,7 +114,7 @@ QPushButton* AdviceBar::addUnit(const QString& symbol, const char* name) {
   return button;
 }
 
-// The honest answer where the axis measures neither; it leads to a refusal.
+// A button for axes that measure neither force nor displacement; it leads to a refusal.
 void AdviceBar::addNoUnit(RemedyKind question) {
   auto* none = new QPushButton(tr("None of these: another quantity"));
   none->setObjectName(QStringLiteral("otherQuantity"));
@@ -122,7 +123,7 @@ void AdviceBar::addNoUnit(RemedyKind question) {
   connect(none, &QPushButton::clicked, this, [this, question] { emit otherQuantityChosen(question); });
 }
 
-// Every unit is a click away: the printed one is never missing.
+// Offers every unit, so that the printed one is never missing.
 void AdviceBar::addLengthUnits() {
   question_->setText(tr("Which unit is the displacement axis in?"));
   for (const LengthUnit unit : offeredLengthUnits) {

@@ -27,7 +27,7 @@ class AdviceBar : public QFrame {
 
  signals:
   void remedyChosen(RemedyKind correction);
-  /// The unit that an axis without a printed one was given.
+  /// The unit that the user chose for an axis without a printed one.
   void lengthUnitChosen(LengthUnit unit);
   void forceUnitChosen(ForceUnit unit);
   /// The axis of this question, giveXUnit or giveYUnit, measures another quantity.

@@ -201,7 +201,7 @@ QString AxisBox::noLength() const {
              : tr("Bottom and top have the same value. Type the value printed at each end.");
 }
 
-// "60 gf" where no unit is known yet: the number and the unit of the axis in one.
+// Reads "60 gf" if no unit is known yet: the number and the axis' unit together.
 bool AxisBox::takeWithUnit(QLineEdit& edit, bool isMax) {
   if (!unit_->currentText().isEmpty()) return false;
   for (int i = 0; i < unit_->count(); ++i) {
@@ -225,7 +225,7 @@ void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, bool
   const bool isX = axis_ == GraphAxis::x;
   state_.correct(isX ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
     AxisCorrection& correction = c.axis(axis_);
-    // Ticks given before say where the other end is; from now on the ends are given.
+    // Given ticks also define the other end. From now on the ends are given instead of the ticks.
     if (otherToo || !correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
     correction.ticks.clear();
     (isMax ? correction.max : correction.min) = value;
@@ -300,7 +300,7 @@ void AxisBox::followExtension(const importer::GraphEvidence* evidence, const imp
   });
 }
 
-// Given ends and those found are named by their place on the page, whichever way the values run.
+// Ends are named by their place on the page, whether the values rise or fall.
 void AxisBox::showEnds(const AxisCorrection& given, const std::optional<AxisEnds>& found) {
   const auto show = [&](QLineEdit& edit, std::optional<double>& now, std::optional<double> givenEnd,
                         double foundEnd) {

@@ -26,7 +26,7 @@ class AxisBox : public QGroupBox {
 
   /// Shows the current graph's axis; `ofLog`: of a force meter's log, which has a unit alone.
   void follow(bool ofLog);
-  /// The fields a person would be led to.
+  /// The field that gets the focus.
   QLineEdit* firstField() { return min_; }
   QComboBox* unitField() { return unit_; }
   /// The first field whose text cannot be read, with the reason shown; null if all can be read. Applies
@@ -34,7 +34,7 @@ class AxisBox : public QGroupBox {
   QLineEdit* refusedField();
 
  signals:
-  /// The values are to be set on the page.
+  /// The user wants to set the values on the page.
   void ticksRequested();
 
  private:
@@ -70,7 +70,7 @@ class AxisBox : public QGroupBox {
   QToolButton *rises_ = nullptr, *falls_ = nullptr;
   std::optional<GraphId> shownGraph_;
   std::vector<QWidget*> ofPage_;               ///< widgets that a force meter's log does not need
-  std::optional<double> minShown_, maxShown_;  ///< as they stand, in the printed unit
+  std::optional<double> minShown_, maxShown_;  ///< values as shown, in the printed unit
 };
 
 }  // namespace detent::editor

@@ -9,7 +9,7 @@
 
 namespace detent::editor {
 
-/// Requirements of readQuantity(); QuantityReading::shown is then in the printed unit.
+/// Arguments for readQuantity(); QuantityReading::shown is then in the printed unit.
 struct AxisQuantity {
   Quantity quantity = Quantity::number;
   DisplayUnits units;  ///< the one of the axis is the printed one

@@ -121,7 +121,7 @@ void BatchDialog::start(const QStringList& paths) {
   follow();
 }
 
-/// A file of one graph is one row; several graphs are rows below their file's.
+/// Adds the results of a file. One graph is one row; several graphs are rows below the row of their file.
 void BatchDialog::take(int file, const std::vector<BatchResult>& results) {
   QTreeWidgetItem& item = *list_->topLevelItem(file);
   const QString& path = paths_[file];
@@ -207,7 +207,7 @@ void BatchDialog::correct(const QTreeWidgetItem& item) {
   at_.correct(paths_[list_->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(&file))], graph);
 }
 
-/// Never over another file: a name that is taken gets a number.
+/// Saves the chosen buttons without overwriting files: a name that exists gets a number.
 void BatchDialog::save() {
   const QString folder = at_.folderToSave(this);
   if (folder.isEmpty()) return;

@@ -53,7 +53,7 @@ class BatchDialog : public QDialog {
   const ViewSettings& view_;
   BatchActions at_;
   BatchImport batch_;
-  std::vector<Row> rows_;  ///< by the number that an item carries
+  std::vector<Row> rows_;  ///< index: the number stored in the list's item
   QStringList paths_;
   int finished_ = 0, buttons_ = 0, questions_ = 0, refused_ = 0;
   QTreeWidget* list_;

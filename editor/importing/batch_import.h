@@ -16,16 +16,16 @@
 
 namespace detent::editor {
 
-/// Result of one graph, in words; of a file that cannot be read, of the file.
+/// Result of one graph; for a file that cannot be read, of the whole file.
 struct BatchResult {
   GraphId graph;                 ///< page 0: the whole file
   std::optional<Button> button;  ///< none: the graph was refused
   double confidence = 0;         ///< 0..1, with a button
-  QString question;              ///< would settle a refusal; with its choices
-  QString reason;                ///< of a refusal, or why a button is not more certain
+  QString question;              ///< question that would settle a refusal, with its choices
+  QString reason;                ///< reason for a refusal, or for a low confidence
 };
 
-/// One batch at a time. Files are imported beside each other, on all cores but one. GUI thread.
+/// One batch at a time. Several files are imported in parallel, on all cores but one. GUI thread.
 class BatchImport : public QObject {
   Q_OBJECT
 
@@ -34,9 +34,9 @@ class BatchImport : public QObject {
   /// Waits for the running imports, which end soon.
   ~BatchImport() override;
 
-  /// `units`: of the reasons. What still runs is cancelled.
+  /// `units`: for the reasons. Cancels imports that are still running.
   void start(const QStringList& paths, const DisplayUnits& units);
-  /// Files that are not finished give no result any more.
+  /// Cancels the batch; unfinished files give no result.
   void cancel();
   bool isRunning() const { return left_ > 0; }
 

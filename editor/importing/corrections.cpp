@@ -9,7 +9,7 @@
 namespace detent::editor {
 namespace {
 
-/// Page units to the unit square: x to the right, y down, as the corners lie.
+/// Map from page units to the unit square, in which x runs to the right and y down, as the corners do.
 std::optional<QTransform> toSquare(const FrameCorners& corners) {
   QPolygonF quad;
   for (const auto& corner : corners) quad << QPointF(corner.x, corner.y);
@@ -30,7 +30,7 @@ std::vector<Placed> placed(GraphAxis axis, const FrameCorners& corners, const st
   return out;
 }
 
-/// Least squares; nothing if all places are one.
+/// Line by least squares; empty if all places coincide.
 std::optional<AxisEnds> throughAll(const std::vector<Placed>& points) {
   double meanShare = 0, meanValue = 0;
   for (const Placed& p : points) meanShare += p.share, meanValue += p.value;

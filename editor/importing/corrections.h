@@ -29,13 +29,14 @@ struct AxisTick {
 /// Scale of one axis by hand: by the values at its two ends, or by ticks. Empty: as found.
 struct AxisCorrection {
   std::optional<double> min, max;  ///< at the frame's left/bottom and right/top edge
-  std::vector<AxisTick> ticks;     ///< if any, min and max are empty: the ticks say it all
+  /// if there are ticks, min and max are empty, because the ticks define the scale
+  std::vector<AxisTick> ticks;
   bool empty() const { return !min && !max && ticks.empty(); }
   friend bool operator==(const AxisCorrection&, const AxisCorrection&) = default;
 };
 
-/// A point with a name as a person has it: moved, added (`from` empty), or taken away (`to` empty). Of
-/// operating and reset point there is one at most, and only `to` counts.
+/// The user's correction of a named point: moved, added (`from` empty) or removed (`to` empty). There is at
+/// most one operating point and one reset point; for those only `to` counts.
 struct MarkCorrection {
   enum class Kind { tactile, operating, reset } kind = Kind::tactile;
   Stroke stroke = Stroke::press;            ///< of a tactile point
@@ -53,7 +54,7 @@ struct Corrections {
   importer::DrawnStrokes drawn;      ///< page units
   std::vector<importer::Box> masks;  ///< page units
   std::vector<MarkCorrection>
-      marks;  ///< in the order given; no hints: put into what was read (mark_corrections.h)
+      marks;  ///< in the order given; they are no hints, but applied to the result (mark_corrections.h)
   bool swapStrokes = false;
   bool xIsOther = false, yIsOther = false;  ///< the axis measures another quantity: nothing can be imported
   std::string
@@ -88,15 +89,15 @@ std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corner
                                       const std::vector<AxisTick>& given, const std::vector<AxisTick>& found,
                                       const std::vector<AxisTick>& foundEnds = {});
 
-/// The importer's knowledge of a graph when corrections are turned into hints.
+/// Axes that the importer found, for turning corrections into hints.
 struct FoundAxes {
   FrameCorners corners;
   std::vector<AxisTick> xTicks, yTicks;          ///< those that agreed with the progression
   std::vector<AxisTick> xEnds = {}, yEnds = {};  ///< at the ends of the axis; empty if none was found
 };
 
-/// Hints for the importer. Ticks become the values at the edges of the frame: the given one, else the found
-/// one; without either they say nothing yet.
+/// Hints for the importer. Given ticks become the values at the frame's edges: of the given frame, else of
+/// the found one. Without a frame they have no effect yet.
 importer::ImportHints hintsFrom(const Corrections& corrections, const std::optional<FoundAxes>& found);
 
 /// Undo by value for one graph: every state the corrections have been in, with the label of the step that led

@@ -23,7 +23,7 @@ class CurvesBox : public QGroupBox {
   /// Both must outlive it.
   CurvesBox(ImportState& state, ViewSettings& settings, QWidget* parent = nullptr);
 
-  /// Shows the current graph's curves; a force meter's log has an exchange of strokes alone.
+  /// Shows the current graph's curves; for a force meter's log only the exchange of strokes.
   void follow(bool ofLog);
   QuantityField* resolutionField() { return dpi_; }
 

@@ -31,7 +31,7 @@ struct DrawnStroke {
   QPolygonF fit, traced;
 };
 
-/// The parts of one answer in page units. Empty parts: the import did not come so far.
+/// Elements of one result in page units. Elements of steps that did not run are empty.
 struct DrawnResult {
   std::vector<DrawnTick> xTicks, yTicks;
   std::vector<QPointF> xLines, yLines;  ///< ends of gridlines and ticks on the axes, to snap to

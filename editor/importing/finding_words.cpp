@@ -10,8 +10,7 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::ImportDialog", text); }
 
-/// The user's correction of a finding: the end of a sentence with the instruction, and the text of the button
-/// for it.
+/// Words for a correction: the end of a sentence that asks the user for it, and the text of its button.
 struct CorrectionWords {
   const char* instruction;
   const char* button;
@@ -20,7 +19,7 @@ struct CorrectionWords {
 /// A text that is translated; lupdate searches for this name.
 constexpr const char* words(const char* text) { return text; }
 
-/// nullopt for what is not a correction.
+/// Returns nullopt for a remedy that is not a correction.
 std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
   switch (kind) {
     case RemedyKind::giveFrame:
@@ -92,7 +91,7 @@ QString placeOf(const Failure& failure, const QString& documentName, const Displ
   return parts.join(QStringLiteral(", "));
 }
 
-/// Adds what is advised in words.
+/// Adds advice that consists of words.
 void addWords(Advice& advice, const Remedies& remedies, const DisplayUnits& units) {
   for (const Remedy& remedy : remedies)
     if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Findings, doubts and remedies of an import, in words for a person with the page before them.
+// Findings, doubts and remedies of an import, in words for a user who sees the page.
 
 #include <QString>
 #include <vector>
@@ -25,7 +25,7 @@ Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& co
 
 /// Returns true if the dialogue has a control for it.
 bool isCorrection(RemedyKind kind);
-/// The remedies for which the dialogue has a control, in their order.
+/// The corrections among remedies, for which the dialogue has a control, in their order.
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies);
 
 QString inWords(const importer::Remark& remark, const DisplayUnits& units);
@@ -35,7 +35,7 @@ QString inWords(const std::vector<importer::EvidenceItem>& evidence, const Displ
 /// "Which of the switches? A (#000000), B (#ff0000)"
 QString inWords(const importer::Question& question);
 
-/// "Draw plot frame", on a button; empty of what is not a correction.
+/// Text of a correction's button: "Draw plot frame"; empty if the remedy is not a correction.
 QString textOnButton(RemedyKind correction);
 
 /// The reason why an import is not more certain, in a line: its doubts, else the weakest step with its

@@ -13,7 +13,7 @@
 namespace detent::editor {
 namespace {
 
-// Pages are light in both themes: the colours for a light background serve both.
+// Pages are light in both themes, so the colours for a light background are always used.
 const GraphColors& pageColors() {
   static const GraphColors colors = graphColors(false);
   return colors;
@@ -32,7 +32,7 @@ QRectF plateAt(QPointF at, QSizeF text) {
   return {at.x() - 3, at.y() - 0.5 * text.height() - 1, text.width() + 6, text.height() + 2};
 }
 
-/// White below, colour above: visible on dark lines and on paper.
+/// Draws a white line under a coloured one, so that it is visible on dark lines and on paper.
 void haloed(QPainter& painter, const QPolygonF& line, const QPen& pen) {
   QPen halo(QColor(255, 255, 255, 170), pen.widthF() + 2);
   painter.setPen(halo);
@@ -58,8 +58,8 @@ void paintFrame(QPainter& painter, const FindingsPicture& picture) {
   haloed(painter, outline, QPen(pageColors().operatingPoint, picture.given.frame ? 2 : 1.2));
 }
 
-/// The lines on which the values of the ticks lie, as the corners have them: where they part from the printed
-/// grid, a corner or a tick is wrong.
+/// Draws the lines on which the values of the ticks lie, according to the corners. If they deviate from the
+/// printed grid, a corner or a tick is wrong.
 void paintImpliedGrid(QPainter& painter, const FindingsPicture& picture) {
   const FrameCorners& c = *picture.corners;
   QTransform ofFrame;
@@ -82,7 +82,7 @@ void paintImpliedGrid(QPainter& painter, const FindingsPicture& picture) {
   }
 }
 
-/// Unit vector in the widget from the axis outwards.
+/// Unit vector in the widget that points from the axis away from the plot.
 QPointF outwards(GraphAxis axis, const FrameCorners& c, const QTransform& pageToWidget) {
   const importer::Point inside = axis == GraphAxis::x ? c[0] : c[2];
   const QPointF d = pageToWidget.map(QPointF(c[3].x, c[3].y)) - pageToWidget.map(QPointF(inside.x, inside.y));
@@ -160,7 +160,7 @@ QRectF shownPart(const QPainter& painter) {
   return painter.worldTransform().inverted().mapRect(QRectF(painter.window()));
 }
 
-/// Offset that brings a plate into sight.
+/// Offset that moves a plate into the visible part.
 QPointF wayInto(const QRectF& shown, const QRectF& plate) {
   const auto way = [](double lower, double upper, double from, double to) {
     return std::max(std::min(0.0, upper - to), lower - from);
@@ -216,7 +216,7 @@ QPointF freePlace(QPointF mark, QSizeF size, bool above, const QRectF& shown, st
 }
 
 QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform& pageToWidget, QPointF tick) {
-  // Inside the frame, where the page's own labels are not.
+  // Inside the frame, because the page's own labels are outside.
   return tick - outwards(axis, corners, pageToWidget) * (axis == GraphAxis::x ? 16 : 24);
 }
 

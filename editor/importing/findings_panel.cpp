@@ -60,7 +60,7 @@ void FindingsPanel::build() {
     connect(box, &AxisBox::ticksRequested, this, [this] { emit toolRequested(PageToolKind::scale); });
 }
 
-// The text determines the width, in any language.
+// Widens the panel to its text, which differs between languages.
 bool FindingsPanel::eventFilter(QObject* object, QEvent* event) {
   const bool handled = QScrollArea::eventFilter(object, event);
   if (object != widget() || event->type() != QEvent::LayoutRequest) return handled;
@@ -87,7 +87,7 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
   confirmed_->setToolTip(tr("Allows an uncertain result to be imported"));
   connect(confirmed_, &QCheckBox::clicked, &state_, &ImportState::setConfirmed);
   cause_->setObjectName(QStringLiteral("confidenceCause"));
-  // Widgets that come and go keep their room: the fields below stay where a click is aimed.
+  // Widgets that appear and disappear keep their space, so that the fields below do not move under a click.
   reserveLines(*cause_, 3);
   reserveLines(*steps_, 2);
   for (QWidget* each : std::initializer_list<QWidget*>{sure_, cause_, steps_, confirmed_}) {
@@ -117,7 +117,7 @@ QGroupBox* FindingsPanel::frameBox() {
   return box;
 }
 
-// Changes by one answer are shown together, once.
+// Shows several changes by one answer together.
 void FindingsPanel::connectState() {
   soon_.setSingleShot(true);
   soon_.setInterval(0);
@@ -197,8 +197,7 @@ void FindingsPanel::showFrame(const ImportGraph& graph,
   frameDetails_->setVisible(found && !found->evidence.empty() && !graph.framedByHand());
 }
 
-/// A change of visibility changes the content's height: the area adopts it at once, so that nothing is drawn
-/// squeezed in between.
+/// Applies a change of visibility at once, so that the content is not drawn compressed in between.
 void FindingsPanel::settleLayout() {
   widget()->layout()->activate();
   QEvent request(QEvent::LayoutRequest);

@@ -36,7 +36,7 @@ class FindingsPanel : public QScrollArea {
 
  signals:
   void toolRequested(PageToolKind kind);
-  /// The content now needs this width to be visible without horizontal scrolling.
+  /// The content needs this width to be visible without horizontal scrolling.
   void widthWanted(int width_px);
 
  protected:
@@ -66,7 +66,7 @@ class FindingsPanel : public QScrollArea {
   AxisBox *x_, *y_;
   CurvesBox* curves_;
   ResultBox* result_;
-  int wanted_px_ = 0;  ///< widthWanted() last said
+  int wanted_px_ = 0;  ///< last width emitted by widthWanted()
   QTimer soon_;
 };
 

@@ -8,7 +8,7 @@
 namespace detent::editor {
 namespace {
 
-/// Threads whose owner may be gone already: the program must not end before them. GUI thread.
+/// Threads whose owner may have been destroyed. The program must not end before them. GUI thread.
 QSet<QThread*>& liveThreads() {
   static QSet<QThread*> threads;
   return threads;

@@ -16,8 +16,8 @@ namespace detent::editor {
 /// Urgency of a query. A running `background` query makes way for a more urgent one and is repeated later.
 enum class Urgency { background, visible, now };
 
-/// The GUI thread's end of the conversation. Never waits: its end stops the running work, and the thread ends
-/// by itself.
+/// Sends queries to the import thread and receives its answers. GUI thread. Never waits: the destructor stops
+/// the running work, and the thread ends by itself.
 class ImportClient : public QObject {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class ImportClient : public QObject {
   /// ignored.
   void forget(Ticket ticket);
   void forgetAll();
-  /// Queued or running.
+  /// Returns true if the query is queued or running.
   bool isOpen(Ticket ticket) const;
 
  signals:

@@ -97,8 +97,8 @@ Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
   return advice;
 }
 
-/// Advice on a plot with several switches. It stays when one of them was chosen: others may be wanted too,
-/// and the list does not move away under the hand.
+/// Advice on a plot with several switches. It stays after one was chosen: others may be wanted too, and the
+/// list must not move under the pointer.
 Advice adviceOnSwitches(const ImportGraph& graph) {
   return {QObject::tr("This plot shows %1 switches.").arg(graph.switches().size()),
           QObject::tr(
@@ -106,7 +106,7 @@ Advice adviceOnSwitches(const ImportGraph& graph) {
           {}};
 }
 
-/// The reason why a plot on the page is no force graph, if that was read from its axes; null otherwise.
+/// The reason why a plot on the page is no force graph, if its axes show that; null otherwise.
 const Failure* otherPlotOn(const ImportPage& page) {
   for (const importer::RejectedFrame& rejected : page.rejected)
     if (rejected.why.reason == importer::nameOf(importer::DoubtCode::axesExchanged) ||
@@ -262,7 +262,8 @@ void ImportDialog::Impl::build() {
                 tr("Import the picture on the clipboard (%1)")
                     .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
   document = described(new ElidedLabel(Qt::ElideMiddle), "documentName");
-  constexpr int leastOfName = 14;  // characters, before the words of the quality take the room
+  // characters of the name that stay visible beside the words of the quality
+  constexpr int leastOfName = 14;
   document->setMinimumWidth(leastOfName * document->fontMetrics().averageCharWidth());
   auto* qualityLabel = new QLabel(tr("&Quality"));
   quality = described(new QComboBox, "quality");
@@ -300,7 +301,7 @@ void ImportDialog::Impl::build() {
   graphsOnly->setToolTip(tr("List the graphs without the pages between them"));
   QObject::connect(graphsOnly, &QCheckBox::toggled, pages, &PageList::setGraphsOnly);
   splitter->addWidget(side);
-  // Beside the lists, which stay where they are when a question comes or goes.
+  // Placed beside the lists, which do not move when a question appears or disappears.
   auto* centre = new QWidget;
   auto* centreColumn = new QVBoxLayout(centre);
   centreColumn->setContentsMargins(0, 0, 0, 0);
@@ -315,7 +316,8 @@ void ImportDialog::Impl::build() {
   QObject::connect(findings, &FindingsPanel::widthWanted, splitter, [this, splitter](int width_px) {
     constexpr double leastForPage = 0.4;  // of the dialogue
     QList<int> sizes = splitter->sizes();
-    if (!side->isVisible()) sizes[0] = firstSide_px;  // hidden, it is reported as 0, which would put it away
+    // a hidden list is reported with size 0 and would stay collapsed
+    if (!side->isVisible()) sizes[0] = firstSide_px;
     const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
     const int least_px[] = {pages->minimumWidth(), static_cast<int>(leastForPage * all)};
     for (const int giver : {1, 0}) {
@@ -352,7 +354,7 @@ void ImportDialog::Impl::build() {
 
   workSoon = new QTimer(&dialog);
   workSoon->setSingleShot(true);
-  workSoon->setInterval(150);  // work that is done sooner shows no bar: nothing flickers
+  workSoon->setInterval(150);  // shorter work shows no bar, so that nothing flickers
   QObject::connect(open, &QPushButton::clicked, &dialog, [this] { chooseFile(); });
   QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
   QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
@@ -502,7 +504,7 @@ void ImportDialog::Impl::showAdvice() {
              tr("No button can be imported from that graph. If the page shows another one, draw its plot "
                 "frame. If this one was misread, click its dashed rectangle."),
              {RemedyKind::giveFrame}});
-      // Of pages that are still searched nothing can be said yet.
+      // No advice on pages that are still being searched.
       const bool pageAlone = !state.graphs().empty() || state.searchedPages() < state.pageCount();
       return say(AdviceBar::Tone::note,
                  {pageAlone ? tr("No force graph was found on this page.") : tr("No force graph was found."),
@@ -572,7 +574,7 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
       return state.correct(tr("Swap press and release"),
                            [](Corrections& c) { c.swapStrokes = !c.swapStrokes; });
     default:
-      return;  // the bar offers corrections alone
+      return;  // the bar shows only corrections
   }
 }
 
@@ -635,7 +637,7 @@ void ImportDialog::continueDraft(const ImportDraft& draft) {
 ImportDraft ImportDialog::draft() const { return impl_->state.draft(); }
 const QImage& ImportDialog::pastedPicture() const { return impl_->state.pastedPicture(); }
 
-// Corrections are work: neither Escape nor another sheet throws them away unasked.
+// Corrections are work, so neither Escape nor another sheet discards them without a question.
 bool ImportDialog::mayGiveUp() const { return !mayLeave_ || draft().empty() || mayLeave_(); }
 
 void ImportDialog::reject() {
@@ -653,7 +655,7 @@ void ImportDialog::done(int result) {
   QDialog::done(result);
 }
 
-// Only now are the widgets of the style and size they are seen in.
+// Only now do the widgets have their final style and size.
 void ImportDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   impl_->fitTools();
@@ -676,7 +678,7 @@ void ImportDialog::dropEvent(QDropEvent* event) {
 
 void ImportDialog::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Paste)) return impl_->paste();
-  // Enter ends the typing of a value; only on a button, or with Ctrl, it does more.
+  // Enter in a field only ends the typing of a value. On a button, or with Ctrl, it is passed on.
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (enter && event->modifiers() & Qt::ControlModifier) return impl_->accept->click();
   if (enter && !qobject_cast<QPushButton*>(focusWidget())) return;

@@ -14,7 +14,7 @@
 namespace detent::editor {
 
 /// Opens a file or a pasted picture for correction and import. One per import; may be used again. GUI thread;
-/// the work is done on a thread of its own and the dialogue never waits for it.
+/// a separate thread does the work, and the dialogue never waits for it.
 class ImportDialog : public QDialog {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ class ImportDialog : public QDialog {
   void opened(const QString& path);
   /// A file could not be read.
   void unreadable(const QString& path);
-  /// draft() is another one now, or may be.
+  /// The result of draft() has changed, or may have.
   void draftChanged();
 
  protected:

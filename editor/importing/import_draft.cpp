@@ -67,7 +67,7 @@ QJsonObject correctionsOf(const Corrections& c) {
   return object;
 }
 
-/// Reads members; anything amiss is remembered, so that a whole text is believed or not.
+/// Reads members and remembers any fault, so that a text is used completely or not at all.
 class Reader {
  public:
   bool ok = true;

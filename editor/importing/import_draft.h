@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// An import that is not finished, as a value that can be written to the disk: corrections are work.
+// An unfinished import as a value that can be written to the disk, because corrections are work.
 
 #include <optional>
 #include <QByteArray>
@@ -26,13 +26,13 @@ struct ImportDraft {
   importer::Quality quality = importer::Quality::standard;
   std::optional<GraphId> current;
   std::vector<DraftGraph> graphs;  ///< graphs with corrections
-  /// Returns true if nothing would be lost with it.
+  /// Returns true if no work would be lost with the draft.
   bool empty() const { return graphs.empty(); }
   friend bool operator==(const ImportDraft&, const ImportDraft&) = default;
 };
 
 QByteArray textOf(const ImportDraft& draft);
-/// nullopt for anything that is not exactly such a text: a draft of another version is not guessed at.
+/// nullopt for any other text. Drafts of another version are refused.
 std::optional<ImportDraft> draftFrom(const QByteArray& text);
 
 }  // namespace detent::editor

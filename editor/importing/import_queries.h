@@ -77,7 +77,7 @@ struct ImportedGraph {
   std::shared_ptr<const importer::ImportReport> report;  ///< null if the import failed
   std::optional<Failure> failure;                        ///< then
   std::shared_ptr<const importer::GraphEvidence>
-      evidence;      ///< how far it came; null if no frame was read, and for logs
+      evidence;      ///< evidence of the steps that ran; null if no frame was read, and for logs
   PagePicture view;  ///< the evidence's pixels; empty without it
   std::string explanation =
       {};  ///< of a log: its best readings with their evidence, as --explain prints them
@@ -87,7 +87,7 @@ using Answer = std::variant<Failure, DocumentFacts, PageThumbnail, PageSheet, Fo
 /// The open document with the pictures made from it. One thread at a time; the import thread's.
 class ImportAnswers {
  public:
-  /// Result of a query. A query of a page before anything was opened is a bug (checked).
+  /// Answer to a query. Asking for a page before anything was opened is a programming error (checked).
   Answer answer(const Query& query, const importer::Progress& progress);
 
  private:

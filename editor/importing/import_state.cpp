@@ -54,7 +54,7 @@ bool wasCancelled(const ImportedGraph& imported) {
   return imported.failure && imported.failure->code == FailureCode::cancelled;
 }
 
-// As the plot was read: on the page, the corners of a mirrored plot run the other way round.
+// Corners in the view that was read. The corners of a mirrored plot run the other way round on the page.
 FrameCorners cornersInView(const importer::GraphEvidence& evidence) {
   FrameCorners corners;
   for (std::size_t i = 0; i < 4; ++i) corners[i] = evidence.view.viewToPage(evidence.frame.corners[i]);
@@ -236,12 +236,14 @@ ImportDraft ImportState::draft() const {
   return draft;
 }
 
-// Those of one page once it is searched: found graphs have their numbers then, the others were drawn.
+// Restores the graphs of a page after it was searched: found graphs by their numbers, the others by their
+// drawn frames.
 void ImportState::restoreGraphs(int page) {
   std::optional<GraphId> restored;
   for (const DraftGraph& each : toRestore_) {
     if (each.id.page != page) continue;
-    if (!each.framedByHand && !graphs_.contains(each.id)) continue;  // found no more: nothing to correct
+    // not found again, so there is nothing to correct
+    if (!each.framedByHand && !graphs_.contains(each.id)) continue;
     ImportGraph& graph = graphs_[each.id];
     graph.id = each.id;
     graph.history.apply(each.corrections, tr("Continue"));
@@ -251,7 +253,7 @@ void ImportState::restoreGraphs(int page) {
   if (restored) emit graphsChanged();
   if (toSelect_ && toSelect_->page == page) {
     if (graphs_.contains(*toSelect_)) restored = toSelect_;
-    toSelect_.reset();  // once: a later search selects nothing unasked
+    toSelect_.reset();  // selected once, so that a later search does not change the selection
   }
   if (restored) selectGraph(*restored);
 }
@@ -458,8 +460,8 @@ void ImportState::selectGraph(GraphId id) {
   emit resultChanged();
 }
 
-/// A result carries the pixels it was read from and a picture of them, 10 to 60 MB: besides the current one
-/// only small ones are kept (docs/develop/decisions/1020-memory-of-imports.md).
+/// Releases old results. A result holds the pixels it was read from and a picture of them, 10 to 60 MB;
+/// besides the current one only small results are kept (docs/develop/decisions/1020-memory-of-imports.md).
 void ImportState::letOldResultsGo() {
   constexpr std::size_t mostBytes = std::size_t{24} << 20;
   std::erase(lookedAt_, *current_);
@@ -668,7 +670,7 @@ void ImportState::acceptNext() {
   while (!toAccept_.empty()) {
     const Wanted wanted = toAccept_.front();
     ImportGraph& graph = graphs_.at(wanted.graph);
-    if (graph.pending != 0) return;  // goes on when the answer arrives
+    if (graph.pending != 0) return;  // continues when the answer arrives
     if (!wanted.curve.empty()) choose(graph, wanted.curve);
     const bool answered =
         graph.requested && graph.requestedWith == graph.history.now() && graph.requestedQuality == quality_;

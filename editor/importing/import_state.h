@@ -28,7 +28,7 @@ struct ImportPage {
   ImportClient::Ticket thumbnailTicket = 0, searchTicket = 0;
 };
 
-/// The rest of a result that was released.
+/// Figures of a result that was released.
 struct ResultBrief {
   bool failed = false, doubtful = false;
   double confidence = 0;
@@ -56,13 +56,14 @@ struct ImportGraph {
   std::shared_ptr<const ImportedGraph> last;  ///< newest answer, good or not; null before the first
   std::shared_ptr<const ImportedGraph> good;  ///< newest answer with a report; stays while later ones fail
   std::shared_ptr<const ImportedGraph> unmarked;  ///< `good` without the points given by hand
-  std::vector<Failure> refusedMarks;  ///< of `good`: points that the curve does not allow where they were put
-  std::optional<ResultBrief> letGo;   ///< figures of the result before
-  std::optional<FoundAxes> found;     ///< ticks and corners as found, to which "reset" goes back
+  /// for `good`: points that cannot be moved to the place where the user put them
+  std::vector<Failure> refusedMarks;
+  std::optional<ResultBrief> letGo;  ///< figures of the released result
+  std::optional<FoundAxes> found;    ///< ticks and corners as found, to which "reset" goes back
   std::optional<importer::AxisReading> foundX, foundY;
 
   ImportClient::Ticket pending = 0;
-  Corrections requestedWith;  ///< of the newest question
+  Corrections requestedWith;  ///< corrections of the newest query
   importer::Quality requestedQuality = importer::Quality::standard;
   bool requested = false;
 
@@ -72,7 +73,7 @@ struct ImportGraph {
   /// Returns true if the user said that an axis measures another quantity.
   bool isOther() const { return history.now().xIsOther || history.now().yIsOther; }
   bool framedByHand() const { return history.now().frame.has_value(); }
-  /// Corners in force, page units: given, else found; nothing before either is known.
+  /// Present corners in page units: the given ones, else the found ones; empty before either exists.
   std::optional<FrameCorners> corners() const;
   /// Brief of the newest results, or of released ones; empty before the first.
   std::optional<ResultBrief> brief() const;
@@ -123,9 +124,9 @@ class ImportState : public QObject {
   void setTicked(GraphId id, bool ticked);
   /// One of several switches in the current graph; `curve` as SwitchChoice.
   void setCurveTicked(const std::string& curve, bool ticked);
-  /// All graphs found so far, to be imported together; none of them where all are ticked already.
+  /// Ticks all graphs found so far, or unticks all if all are ticked.
   void tickAll();
-  /// The graph that many further in reading order, over page ends; stops at the first and the last.
+  /// Selects the graph `by` places further in reading order, across pages; stops at the first and the last.
   void selectNext(int by);
   /// Thumbnails of these pages are read first.
   void setVisiblePages(int first, int last);
@@ -135,7 +136,7 @@ class ImportState : public QObject {
 
   /// A step of the current graph's corrections, undoable.
   void apply(const Corrections& next, const QString& label, const QString& mergeKey = {});
-  /// The same, as an edit of what is in force; nothing where no graph is current.
+  /// The same, as an edit of the present corrections; does nothing without a current graph.
   void correct(const QString& label, const std::function<void(Corrections&)>& edit);
   void undo();
   void redo();
@@ -149,9 +150,9 @@ class ImportState : public QObject {
   /// Stops all work; known results stay.
   void stopAll();
 
-  /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its
-  /// result is there; then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which
-  /// is then the current one.
+  /// Imports the ticked graphs and switches (without any, the current graph): `accepted` is emitted for each
+  /// result, then `allAccepted`. At the first one that fails or is in doubt, `acceptStopped` is emitted
+  /// instead, and that graph becomes the current one.
   void acceptAll();
   bool accepting() const { return !toAccept_.empty(); }
 
@@ -159,7 +160,7 @@ class ImportState : public QObject {
   void documentChanged();  ///< opened, failed to open
   void pageChanged(int number);
   void graphsChanged();
-  void currentChanged();  ///< another page or graph is looked at, or its sheet has come
+  void currentChanged();  ///< another page or graph was selected, or the page's picture arrived
   void correctionsChanged();
   void resultChanged();  ///< of the current graph: a new answer, or work began or ended
   void progressed(double fraction, importer::ImportStep step);
@@ -221,7 +222,7 @@ bool fallsOnPage(GraphAxis axis, const importer::GraphEvidence& evidence);
 /// Corners of the evidence's frame in page units, from the upper left one clockwise as the page shows them.
 FrameCorners cornersOf(const importer::GraphEvidence& evidence);
 
-/// The frame as far as numbers of one axis go on beyond it.
+/// The frame extended to numbers of one axis that stand beyond it.
 struct ExtendedFrame {
   FrameCorners corners;
   double value = 0;  ///< the number at its new end, in the axis' unit

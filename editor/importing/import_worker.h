@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The import thread's end of the conversation.
+// The object on the import thread that answers queries.
 
 #include <atomic>
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-/// Lives on the import thread and owns the open document. Every ask gives exactly one `answered`; `stop` may
-/// be set from any thread and ends the work soon, with a Failure.
+/// Lives on the import thread and owns the open document. Each call of `ask` is answered by one `answered`.
+/// `stop` may be set from any thread and ends the work soon, with a Failure.
 class ImportWorker : public QObject {
   Q_OBJECT
 

@@ -14,7 +14,7 @@ constexpr double newJumpWidth = 0.05, newJumpDrop = 0.1;
 
 using CorrectionKind = MarkCorrection::Kind;
 
-// From the page to mm and N of one import.
+// Converts positions on the page to mm and N.
 class PageUnits {
  public:
   explicit PageUnits(const importer::GraphEvidence& evidence)
@@ -104,7 +104,7 @@ Result<Button> withGiven(const Button& button, const std::vector<MarkCorrection>
   return Button::fromStates(button.name(), button.states(), std::move(provenance));
 }
 
-// Points that stand where they stood keep their errors; a given one has none.
+// Points that were not moved keep their errors; a given point has none.
 std::vector<importer::FittedTactilePoint> tactileOf(const StrokeCurve& curve, Stroke stroke,
                                                     const std::vector<importer::FittedTactilePoint>& before) {
   std::vector<importer::FittedTactilePoint> now;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tactile, operating and reset points as a person has them, put into what was read off the page.
+// Applies the user's tactile, operating and reset points to an imported graph.
 
 #include <vector>
 
@@ -20,8 +20,7 @@ struct MarkedImport {
 /// provenance records the changes as given, and printed values are compared with the changed button.
 MarkedImport withMarks(const ImportedGraph& imported, const std::vector<MarkCorrection>& marks);
 
-/// `given` with one more: a found or given point that was `from` somewhere is `to` somewhere else now, or
-/// nowhere.
+/// Adds a mark to `given`: the point at `from` is now at `to`, or is removed if `to` is empty.
 std::vector<MarkCorrection> withMark(std::vector<MarkCorrection> given, MarkCorrection next);
 
 }  // namespace detent::editor

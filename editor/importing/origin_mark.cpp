@@ -6,7 +6,7 @@
 namespace detent::editor {
 namespace {
 
-/// One line where there is room for it, several in a narrow panel.
+/// A label with one line if there is space, and several in a narrow panel.
 class GivingWay : public QLabel {
  public:
   GivingWay() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Shows if a value of an import was found or given, and restores the found one.
+// Shows whether a value of an import was found or given, and restores the found one.
 
 #include <functional>
 #include <optional>
@@ -21,7 +21,7 @@ class OriginMark : public QWidget {
   OriginMark(ImportState& state, const QString& name, const QString& label,
              std::function<void(Corrections&)> reset, QWidget* parent = nullptr);
 
-  /// Shows the origin; without a confidence nothing is shown of a found value.
+  /// Shows the origin. A found value without a confidence shows nothing.
   void setOrigin(bool given, std::optional<double> confidence = {});
   /// Sets other words for a found value.
   void say(const QString& words) { words_->setText(words); }

@@ -18,7 +18,7 @@ class PageList : public QListView {
   /// `state` must outlive it.
   explicit PageList(ImportState& state, QWidget* parent = nullptr);
 
-  /// Pages are left out, their graphs stay.
+  /// Shows graphs without their pages.
   void setGraphsOnly(bool only);
 
  protected:
@@ -34,7 +34,7 @@ class PageList : public QListView {
   ImportState& state_;
   PageListModel* model_;
   bool graphsOnly_ = false;
-  bool following_ = false;  ///< the selection is set from the state, not by a hand
+  bool following_ = false;  ///< the selection is being set from the state, not by the user
 };
 
 }  // namespace detent::editor

@@ -68,7 +68,7 @@ void PageListModel::rebuild() {
     if (!rows_.empty()) emit dataChanged(index(0), index(static_cast<int>(rows_.size()) - 1));
     return;
   }
-  // Rows only come between the ones that are there, so that the list neither jumps nor loses its selection.
+  // Inserts rows between the existing ones, so that the list neither moves nor loses its selection.
   if (rows.size() > rows_.size() && !rows_.empty() &&
       std::includes(rows.begin(), rows.end(), rows_.begin(), rows_.end(), [](const Row& a, const Row& b) {
         return std::pair(a.page, a.graph) < std::pair(b.page, b.graph);
@@ -153,7 +153,7 @@ QVariant PageListModel::pageData(int number, int role) const {
   }
 }
 
-/// A graph framed by hand has no picture of its own: a part of its page's.
+/// A graph framed by hand has no picture of its own, so it gets a part of its page's picture.
 QImage PageListModel::graphPicture(const ImportGraph& graph) const {
   if (!graph.thumbnail.isNull()) return graph.thumbnail;
   const auto corners = graph.corners();

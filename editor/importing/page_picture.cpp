@@ -67,7 +67,7 @@ void PagePicture::draw(QPainter& painter, const QTransform& pageToDevice) const 
   painter.save();
   painter.setRenderHint(QPainter::SmoothPixmapTransform, shown < 3);  // enlarged pixels stay pixels
   painter.setTransform(toLevel0 * whole, true);
-  // Only the visible part: a page at high zoom is far larger than the window.
+  // Draws only the visible part, because a page at high zoom is far larger than the window.
   const QRectF seen = painter.transform().inverted().mapRect(QRectF(painter.viewport()));
   const QRect part = seen.toAlignedRect().adjusted(-2, -2, 2, 2) & image.rect();
   if (!part.isEmpty()) painter.drawImage(QRectF(part), image, QRectF(part));

@@ -12,8 +12,8 @@
 
 namespace detent::editor {
 
-/// A picture with its place on the page, and half-size copies, so that drawing costs what the screen shows.
-/// Shared pixels: copies are cheap. Made on the import thread, drawn on the GUI thread.
+/// A picture with its place on the page, and half-size copies, so that the cost of drawing depends on the
+/// screen. Copies share the pixels. Made on the import thread, drawn on the GUI thread.
 class PagePicture {
  public:
   PagePicture() = default;

@@ -35,8 +35,8 @@ std::optional<std::string> given(const Provenance& provenance, const std::string
   return {};
 }
 
-/// Imports frame and axes, but does not trace curves that were drawn or masked by hand: the page comes back
-/// without traced points.
+/// Imports frame and axes only: curves that were drawn or masked by hand cannot be traced again, so the page
+/// has no traced points.
 Result<importer::ImportReport> pageAlone(const Button& button,
                                          std::shared_ptr<const importer::GraphEvidence> evidence,
                                          const Failure& why) {
@@ -63,7 +63,7 @@ importer::ImportRequest requestAgain(const Provenance& provenance) {
   request.page = provenance.page;
   request.graph = provenance.graph;
   request.quality = qualityOf(provenance.quality);
-  request.acceptDoubt = true;  // a person has accepted it once
+  request.acceptDoubt = true;  // a user accepted this import before
   importer::ImportHints& hints = request.hints;
   if (given(provenance, "--frame") && provenance.frame.size() == 4)
     hints.frame = {{provenance.frame[0], provenance.frame[1]}, {provenance.frame[2], provenance.frame[3]}};

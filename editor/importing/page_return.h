@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page of a button that was imported once: found again by name and hash, and put behind the curves. Its
-// curves are traced again where somebody wants the points.
+// Finds the page of an imported button again, by name and hash, and shows it behind the curves. Its curves
+// are traced again when their points are needed.
 
 #include <atomic>
 #include <functional>
@@ -22,9 +22,9 @@ namespace detent::editor {
 /// several; not colours and masks). The path is left empty.
 importer::ImportRequest requestAgain(const Provenance& provenance);
 
-/// A file is the sheet only if its contents are: name and folder alone prove nothing. One thread of its own
-/// searches and reads; documents may be closed meanwhile, and are never changed. A page that cannot be laid
-/// behind the curves by the file's data (placed_page.h) is read again at once. GUI thread.
+/// A file counts as the sheet only by its contents, because name and folder prove nothing. One thread
+/// searches and reads; documents may be closed meanwhile, and are never changed. A page that cannot be placed
+/// by the data in the button's file (placed_page.h) is read again at once. GUI thread.
 class PageReturn : public QObject {
   Q_OBJECT
 
@@ -34,33 +34,35 @@ class PageReturn : public QObject {
   /// Waits for the thread.
   ~PageReturn() override;
 
-  /// Traces the document's sheet when somebody wants the points.
+  /// Traces the document's sheet when its points are needed.
   void attend(ButtonDocument& document);
   /// Remembers the path that a sheet was imported from.
   void remember(const Provenance& provenance, const QString& path);
-  /// Searches beside the button's file and at the sheet's last location; else shows the page that the file
-  /// keeps. Nothing for buttons that came from no sheet, and for those that have their page.
+  /// Searches beside the button's file and at the sheet's last location; if the sheet is missing, shows the
+  /// page in the button's file. Does nothing for buttons without a sheet, and for those that have their page.
   void bringBack(ButtonDocument& document);
   /// Brings the page back from a file that a person chose.
   void bringBackFrom(ButtonDocument& document, const QString& path);
 
  signals:
   void returned(
-      detent::editor::ButtonDocument* document);  ///< the page; the traced points too where they were read
-  /// The file lies in none of the searched places.
+      /// the page is shown, with its traced points if they were read
+      detent::editor::ButtonDocument* document);
+  /// The file is in none of the searched places.
   void missing(detent::editor::ButtonDocument* document, const QString& fileName);
-  /// The chosen file is another one, or could not be read this time.
+  /// The chosen file is not the sheet, or could not be read.
   void refused(detent::editor::ButtonDocument* document, const QString& sentence);
 
  private:
-  /// Result of the thread.
+  /// Result of the worker thread.
   struct Answer {
-    QString path;  ///< of the sheet; empty: none of the places held it
+    QString path;  ///< path of the sheet; empty: it was not found
     std::optional<PlacedPage> page;
     std::shared_ptr<const importer::ImportReport> report;
     std::optional<Failure> failure;  ///< why the page could not be read again
   };
-  /// Searches the locations, lays the page, and reads it again if that cannot be done or `traced` is wanted.
+  /// Searches the locations and places the page. Reads it again if it cannot be placed, or if `traced` is
+  /// required.
   static Answer findAndRead(const Button& button, const QStringList& folders, bool traced,
                             const std::atomic<bool>& stop);
   static void readAgain(const Button& button, Answer& answer, const importer::Progress& progress);

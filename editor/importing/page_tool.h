@@ -14,8 +14,7 @@ namespace detent::editor {
 class PageView;
 enum class PageToolKind;
 
-/// Events answer whether they were handled; unhandled ones are the view's. An unfinished action is dropped by
-/// `cancel`.
+/// Events return true if they were handled; the view handles the others. `cancel` drops an unfinished action.
 class PageTool {
  public:
   explicit PageTool(PageView& view) : view_(view) {}
@@ -28,12 +27,12 @@ class PageTool {
   virtual bool release(const QMouseEvent& event) = 0;
   virtual bool doubleClick(const QMouseEvent&) { return false; }
   virtual bool key(const QKeyEvent&) { return false; }
-  /// Tab goes to the tool's next mark; false at the end.
+  /// Moves to the tool's next mark (Tab); returns false at the end.
   virtual bool selectNext(bool forward) {
     Q_UNUSED(forward);
     return false;
   }
-  /// Menu of the actions at a point; false: none.
+  /// Shows a menu of the actions at a point; returns false if there is none.
   virtual bool menu(QPointF widget, QPoint global) {
     Q_UNUSED(widget);
     Q_UNUSED(global);

@@ -24,8 +24,8 @@ importer::Box boxOf(importer::Point a, importer::Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
 
-/// Click a place of an axis, type the value that stands there. Clings to ticks, gridlines and the ends of the
-/// axis.
+/// Sets a tick: a click selects a place of an axis, and its value is typed there. Snaps to ticks, gridlines
+/// and the ends of the axis.
 class ScaleTool : public PageTool {
  public:
   using PageTool::PageTool;
@@ -177,7 +177,7 @@ class MaskBoxTool : public RectangleTool {
   }
 };
 
-/// Two frames of one graph: each covers much of the other.
+/// Returns true if two frames belong to one graph: each covers much of the other.
 bool isSameGraph(const FrameCorners& a, const FrameCorners& b) {
   constexpr double leastShare = 0.3;
   const auto boxOfFrame = [](const FrameCorners& c) {
@@ -207,10 +207,11 @@ class LineSnap {
   }
 
  private:
-  static constexpr double reach_px = 7;      // of the screen: a hand without a magnifier
-  static constexpr int samples = 48;         // along an edge
-  static constexpr int leastContrast = 40;   // grey levels between a line and its background
-  static constexpr double leastShare = 0.6;  // of the edge that the line must be seen along; a dashed one is
+  static constexpr double reach_px = 7;     // pixels of the screen; a user does not use a magnifier
+  static constexpr int samples = 48;        // along an edge
+  static constexpr int leastContrast = 40;  // grey levels between a line and its background
+  // share of the edge along which the line must be visible; a dashed line reaches it
+  static constexpr double leastShare = 0.6;
 
   std::optional<int> grey(double across, double along, bool upright) const {
     const auto color = picture_->colorAt(upright ? QPointF(across, along) : QPointF(along, across));
@@ -270,7 +271,7 @@ class DrawFrameTool : public RectangleTool {
   }
 };
 
-/// A round brush would only be approximated by the boxes that masks are: it is square.
+/// A square brush, because masks are boxes.
 class MaskBrushTool : public PageTool {
  public:
   using PageTool::PageTool;
@@ -344,8 +345,7 @@ class MaskBrushTool : public PageTool {
   QPointF last_, at_;
 };
 
-/// Click points along a curve, or draw along it; the line between is pulled to the curve's pixels when it is
-/// read.
+/// Draws a curve by clicks or by a drag. The line between the points is moved to the curve's pixels later.
 class DrawCurveTool : public PageTool {
  public:
   DrawCurveTool(PageView& view, Stroke stroke) : PageTool(view), stroke_(stroke) {}
@@ -426,7 +426,7 @@ class DrawCurveTool : public PageTool {
 
   Stroke stroke_;
   std::vector<importer::Point> points_;
-  bool held_ = false, drawn_ = false;  ///< the button is down; it was moved since
+  bool held_ = false, drawn_ = false;  ///< the mouse button is down; the pointer was moved since
   QPointF at_;
 };
 

@@ -37,8 +37,8 @@ void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size
     same->value = tick.value;
 }
 
-// The units printed at the axes, or given for them: the person compares labels with the page. Others: as
-// shown.
+// Units that are printed at the axes or were given for them, so that the user can compare labels with the
+// page; for other quantities the shown units.
 DisplayUnits unitsOfPage(const ImportGraph& graph, DisplayUnits units) {
   const Corrections& given = graph.history.now();
   const auto& result = graph.good ? graph.good : graph.last;
@@ -56,7 +56,7 @@ DisplayUnits unitsOfPage(const ImportGraph& graph, DisplayUnits units) {
 
 QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPointF(box.x1, box.y1)}; }
 
-/// A field that takes Enter for itself: passed on to the page, it would open the field once more.
+/// A field that handles Enter itself. Passed on to the page, Enter would open the field again.
 class ValueEdit : public QLineEdit {
  public:
   using QLineEdit::QLineEdit;
@@ -422,7 +422,7 @@ void PageView::drawPage(QPainter& painter) const {
   painter.fillRect(paper, Qt::white);
   if (const PageSheet* sheet = state_.sheet()) {
     sheet->picture.draw(painter, pageToWidget_);
-    // The graph's own view is sharper where a document was rendered for it.
+    // The graph's own view is sharper if a document was rendered for it.
     const bool sharper = drawnFrom_ && drawnFrom_->graph.page == state_.currentPage() &&
                          !drawnFrom_->view.empty() &&
                          drawnFrom_->view.pixelsPerUnit() > 1.2 * sheet->picture.pixelsPerUnit();
@@ -438,7 +438,7 @@ void PageView::drawPage(QPainter& painter) const {
     painter.drawImage(QPointF(0, 0), thumbnail);
     painter.restore();
   }
-  // Nearer to the background: findings must stand out.
+  // Blended with the background, so that findings stand out.
   if (state_.current())
     painter.fillRect(paper, hasDarkBackground() ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 80));
 }
@@ -541,7 +541,7 @@ void PageView::drawMagnifier(QPainter& painter) const {
 
 // ---- mouse and keys
 
-// A message that comes or goes above moves the view; under a running gesture the page lies still.
+// Keeps the page still during a gesture, although a message above that appears or disappears moves the view.
 void PageView::resizeEvent(QResizeEvent*) {
   refit();
   const QPointF moved = mapTo(window(), QPointF()) - inWindow_;

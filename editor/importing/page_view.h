@@ -47,7 +47,7 @@ class PageView : public QWidget {
   void fitPage();
   void fitGraph();
 
-  // -- what tools need --
+  // -- for tools --
   ImportState& state() { return state_; }
   const ImportState& state() const { return state_; }
   /// Corrections as being dragged, otherwise as stored.
@@ -59,7 +59,7 @@ class PageView : public QWidget {
   QTransform pageToWidget() const { return pageToWidget_; }
   QPointF toWidget(importer::Point page) const { return pageToWidget_.map(QPointF(page.x, page.y)); }
   importer::Point toPage(QPointF widget) const;
-  /// A point kept on the page.
+  /// A point moved onto the page.
   importer::Point onPage(importer::Point page) const;
   GraphColors colors() const;
   /// Units of the labels: those of the page's axes, so that a person can compare both; without a graph, the
@@ -68,7 +68,7 @@ class PageView : public QWidget {
   /// Colour of the mark nearest to a point: the pixel that differs most from the background around it.
   std::optional<QColor> curveColorAt(QPointF widget) const;
   void panBy(QPointF widgetDelta);
-  /// Asks for the value at a place of an axis, beside it; given as a step when it is typed.
+  /// Opens a field for the value at a place of an axis; the typed value becomes one step.
   void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
   /// Asks for the value that both axes have in the corner where they meet: one step sets a tick on each.
   void askOrigin(importer::Point at);
@@ -107,15 +107,15 @@ class PageView : public QWidget {
   struct TypedValue {
     QString name, text, placeholder;
     importer::Point at;
-    QPoint beside;  ///< of the field, from the place
+    QPoint beside;  ///< offset of the field from the place
     AxisQuantity axis;
     std::function<void(double)> take;  ///< in the printed unit
   };
   void ask(const TypedValue& field);
-  bool closeEditor();  ///< of a tick's value; false if none is open
+  bool closeEditor();  ///< closes the field of a tick's value; returns false if none is open
   void takeResult();
   void takeCurrent();
-  void refit();       ///< waits for endGesture while a gesture runs
+  void refit();       ///< waits for endGesture during a gesture
   void endGesture();  ///< does delayed work, unless another gesture is running
   void fitRect(QRectF page, double margin);
   void setTransform(const QTransform& pageToWidget);
@@ -129,34 +129,35 @@ class PageView : public QWidget {
   void drawDoubt(QPainter& painter) const;
   std::optional<std::size_t> rejectedAt(QPointF widget) const;
   std::optional<GraphId> graphAt(QPointF widget) const;
-  /// Selects the graph there, or takes the rejected rectangle there for one.
+  /// Selects the graph at a place, or adopts a rejected rectangle there as a graph.
   void selectAt(QPointF widget);
   void followEarlyClick();
 
   ImportState& state_;
   ViewSettings& settings_;
   std::unique_ptr<PageTool> tool_;
-  std::unique_ptr<PageTool> retired_;  ///< the previous tool: it may have requested its successor itself
+  /// previous tool; kept, because it may be the one that requested its successor
+  std::unique_ptr<PageTool> retired_;
   PageToolKind toolKind_ = PageToolKind::adjust;
   std::optional<Corrections> preview_;
   DrawnResult drawn_;
   std::shared_ptr<const ImportedGraph> drawnFrom_;  ///< good result the curves come from
   QTransform pageToWidget_;
   Fit fit_ = Fit::graph;
-  bool fitDue_ = false;  ///< a refit waits for the end of a gesture
-  QPointF inWindow_;     ///< of the top left corner, when the gesture began or was last moved
+  bool fitDue_ = false;  ///< a refit is pending until the gesture ends
+  QPointF inWindow_;     ///< position of the top left corner when the gesture began or last moved
   std::optional<GraphId> fitted_;
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;
   std::optional<GraphAxis> doubt_;
-  /// A click on a page before it was searched; it counts when the search is done.
+  /// A click on a page that was not searched yet; handled after the search.
   struct EarlyClick {
     int page = 0;
     importer::Point at;
   };
   std::optional<EarlyClick> earlyClick_;
   bool spaceDown_ = false;
-  mutable qint64 backgroundOf_ = 0;  ///< thumbnail whose background was read
+  mutable qint64 backgroundOf_ = 0;  ///< key of the thumbnail from which the background was read
   mutable bool darkBackground_ = false;
 };
 

@@ -19,7 +19,7 @@ constexpr int nearCurve_px = 2,
               background_px = 9;   // half width of the search for a curve, and of its background
 constexpr int leastContrast = 60;  // of 255, in one channel
 
-/// What the frame spans: displacement to the right, force upwards.
+/// The frame with a margin for its labels, within the page.
 importer::Box around(const importer::Box& frame, const importer::Page& page) {
   const double room = margin * std::max(frame.width(), frame.height());
   return {std::max(0.0, frame.x0 - room), std::max(0.0, frame.y0 - room),
@@ -117,7 +117,7 @@ std::optional<PlacedPage> placedPage(const Button& button, const importer::Docum
         shareOnCurve(button.states().front().graph.press(), placed.picture, pixelToAxes.inverted());
     if (share < best) continue;
     lies = true;
-    best = share + 1e-9;  // of equally good orientations the first, because pages seldom lie on their side
+    best = share + 1e-9;  // of equally good orientations the first is kept, because pages are seldom turned
     placed.pixelToAxes = pixelToAxes;
   }
   return lies ? std::optional(std::move(placed)) : std::nullopt;

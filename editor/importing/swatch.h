@@ -12,7 +12,7 @@
 namespace detent::editor {
 
 QColor colorFrom(const importer::Rgb& rgb);
-/// One or more colours side by side, framed as `palette` frames things; transparent ones stay empty.
+/// One or more colours side by side, with frames in `palette`; transparent colours stay empty.
 QIcon swatchOf(const std::vector<QColor>& colors, const QPalette& palette);
 
 }  // namespace detent::editor

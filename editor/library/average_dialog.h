@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Chooses which of the open buttons are averaged.
+// Lets the user choose the open buttons that are averaged.
 
 #include <optional>
 #include <QDialog>
@@ -15,7 +15,7 @@
 
 namespace detent::editor {
 
-/// Ticks at first the buttons of the same kind as the current one: as many states and tactile points.
+/// At first, the buttons of the current one's kind are ticked: those with as many states and tactile points.
 /// Buttons of different kinds have no average. Works on copies. GUI thread.
 class AverageDialog : public QDialog {
   Q_OBJECT

@@ -13,7 +13,7 @@ struct Templates {
   Q_DECLARE_TR_FUNCTIONS(Templates)
 };
 
-// The defaults of a template are valid: tests/model holds them.
+// The defaults of a template are valid (tests/model checks them).
 Button whole(Result<Button> button) {
   DETENT_CHECK(button.ok(), "a template with its default values is a valid button");
   return *std::move(button);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Buttons to start from, with the words a designer chooses them by.
+// Templates for new buttons, with the words by which a designer chooses them.
 
 #include <QString>
 #include <vector>
@@ -17,7 +17,7 @@ struct ButtonTemplate {
   Button button;
 };
 
-/// model/templates.h, from the plain to the rich.
+/// All templates (model/templates.h), from plain to complex.
 std::vector<ButtonTemplate> buttonTemplates();
 
 }  // namespace detent::editor

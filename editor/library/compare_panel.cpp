@@ -323,7 +323,7 @@ void ComparePanel::update() {
   std::vector<const ButtonState*> states;
   std::vector<ComparedGraph> graphs;
   for (const auto& side : sides_) {
-    // An edit may have added or taken a state.
+    // An edit may have added or removed a state.
     if (side->document && side->state->count() != static_cast<int>(side->document->button().states().size()))
       fillStates(*side);
     const ButtonState* state = stateOf(*side);
@@ -392,7 +392,8 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   layOutTable();
 }
 
-// Numbers get the width they need; the rest goes to the names above them, then to those of the rows.
+// Numbers get the width they need; the remaining width goes first to the names above them, then to those of
+// the rows.
 void ComparePanel::layOutTable() {
   const int columns = table_->columnCount();
   if (columns < 3 || table_->rowCount() == 0) return;

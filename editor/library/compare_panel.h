@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Open buttons over each other, and what sets them apart.
+// Compares open buttons: graphs over each other, and a table of their differences.
 
 #include <memory>
 #include <QBoxLayout>
@@ -23,9 +23,9 @@ namespace detent::editor {
 
 class ComparePlot;
 
-/// Two buttons or more, each by its name; differences are counted from the first. All can be worked on while
-/// it is open, and it follows. Plot beside the figures where it is wide, above them where it is high. GUI
-/// thread.
+/// Compares two or more buttons, each chosen by its name; differences are counted from the first one. The
+/// buttons can be edited meanwhile, and the panel follows. In a wide panel the plot is beside the figures, in
+/// a narrow one above them. GUI thread.
 class ComparePanel : public QWidget {
   Q_OBJECT
 
@@ -51,7 +51,7 @@ class ComparePanel : public QWidget {
   const ComparePlot& plot() const { return *plot_; }
 
  signals:
-  /// The plot is to be written as a picture.
+  /// The user wants to save the plot as a picture.
   void pictureRequested();
 
  protected:
@@ -89,10 +89,11 @@ class ComparePanel : public QWidget {
 
   ViewSettings& settings_;
   std::vector<ButtonDocument*> documents_;
-  std::vector<std::unique_ptr<Side>> sides_;  // two at least
+  std::vector<std::unique_ptr<Side>> sides_;  // at least two
   QVBoxLayout* rows_ = nullptr;
   QSplitter* split_ = nullptr;
-  QBoxLayout* belowPlot_ = nullptr;  ///< the reading and the tools, beside each other in a wide panel
+  /// contains the cursor's values and the tools, side by side in a wide panel
+  QBoxLayout* belowPlot_ = nullptr;
   ComparePlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel *distance_ = nullptr, *reading_ = nullptr;

@@ -18,7 +18,7 @@ constexpr int namesInLine = 3;
 constexpr double differenceHeight = 0.5;  // of the graphs'
 constexpr int differenceSamples = 400;
 constexpr int mostTicks = 5, leastTicks = 2;
-constexpr double linesOfTick = 2.2;  // height that a number of an axis has
+constexpr double linesOfTick = 2.2;  // heights of a text line for each tick label
 constexpr int leastName_px = 40;     // in the legend
 
 /// Empty beyond the curve's ends, and where a graph has no such stroke.
@@ -47,7 +47,7 @@ ComparePlot::ComparePlot(QWidget* parent)
   connect(this, &QCustomPlot::afterLayout, this, &ComparePlot::fitTicks);
 }
 
-// As many numbers as the height of an axis has room for.
+// Limits the number of tick labels to those for which an axis has space.
 void ComparePlot::fitTicks() {
   bool changed = false;
   for (QCPAxisRect* rect : {axisRect(), differences_}) {
@@ -130,7 +130,7 @@ void ComparePlot::showDifferences(bool shown) {
 void ComparePlot::drawCurves() {
   clearPlottables();
   const bool dark = isDark(palette());
-  // The press lies above the release, as in the editor: of their common bottom-out the press is seen.
+  // The press is drawn over the release, as in the editor, so that it is visible in their common bottom-out.
   for (std::size_t i = 0; i < graphs_.size(); ++i)
     for (const Stroke stroke : {Stroke::release, Stroke::press}) {
       const auto& [name, graph] = graphs_[i];
@@ -187,8 +187,8 @@ std::unique_ptr<ComparePlot> ComparePlot::forPicture(QSize size) const {
   plot->setGraphs(graphs_, units_);
   plot->xAxis->setRange(xAxis->range());
   plot->yAxis->setRange(yAxis->range());
-  plot->replot();  // determines the room of the axes
-  plot->replot();  // draws as many numbers as fit into that room
+  plot->replot();  // determines the axes' margins
+  plot->replot();  // draws as many tick labels as fit
   return plot;
 }
 

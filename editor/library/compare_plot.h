@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Force graphs over each other, with a cursor that reads their values off.
+// Force graphs over each other, with a cursor that shows their values.
 
 #include <memory>
 #include <optional>
@@ -14,14 +14,14 @@
 
 namespace detent::editor {
 
-/// One graph of the comparison and what it is called in it.
+/// One graph of the comparison and its name there.
 struct ComparedGraph {
   QString name;
   ForceGraph graph;
 };
 
-/// Press solid, release dashed, a colour per button. The pointer moves a cursor, a click pins a second one
-/// from which differences are counted; Escape or a click on it takes it away. GUI thread.
+/// Press solid, release dashed, one colour per button. A cursor follows the pointer; a click pins a second
+/// cursor, from which differences are counted. Escape or a click on the pinned cursor removes it. GUI thread.
 class ComparePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -29,11 +29,13 @@ class ComparePlot : public QCustomPlot {
   explicit ComparePlot(QWidget* parent = nullptr);
 
   void setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnits& units);
-  /// Values of all graphs at the cursor, differences to the pinned one; empty while the pointer is elsewhere.
+  /// Values of all graphs at the cursor, and differences from the pinned cursor; empty while the pointer is
+  /// outside.
   QString reading() const;
   /// Shows below the graphs the difference of each to the first, where both have values.
   void showDifferences(bool shown);
-  /// Light, with names, of the requested width; changes nothing that is shown.
+  /// The plot as a picture in light colours, with names, of the requested width; the shown plot does not
+  /// change.
   QImage picture(QSize size_px = {1800, 1200}, double devicePixelRatio = 2) const;
   /// The same as vectors into any device; `size` in its units.
   void renderTo(QPaintDevice& device, QSize size) const;

@@ -16,7 +16,7 @@ struct Differences {
   Q_DECLARE_TR_FUNCTIONS(Differences)
 };
 
-/// Named as in the panel of key figures: one figure has one name.
+/// Named as in the panel of key figures, so that a figure has the same name everywhere.
 QString nameOfFigure(KeyFigure figure) {
   return QCoreApplication::translate("detent", keyFigureNames()[static_cast<std::size_t>(figure)].term);
 }
@@ -45,7 +45,7 @@ using Strokes = std::vector<const StrokeMetrics*>;
 /// Null where a stroke has no such tactile point.
 using Events = std::vector<const TactileEvent*>;
 
-/// A figure of what may not be there.
+/// A figure of a stroke or tactile point; empty if that is missing.
 template <class Thing, class Get>
 auto ifThere(Get get) {
   return [get](const Thing* thing) { return thing ? Value(get(*thing)) : Value(); };
@@ -101,7 +101,7 @@ void addStroke(Rows& rows, const QString& name, bool press, const Strokes& strok
              ifThere<StrokeMetrics>(startForce));
   else
     add(Differences::tr("force at the start of the travel"), Measure::force, startForce);
-  // The release begins at the force that the press ends with: that is no figure of its own.
+  // The release starts at the end force of the press, which is listed already.
   if (press)
     add(Differences::tr("largest force"), Measure::force,
         [](const StrokeMetrics& s) { return s.maxForce_N; });

@@ -14,7 +14,7 @@ namespace detent::editor {
 
 enum class Measure { length, force, slope, work, share, count };
 
-/// One figure of all; empty where a button has no such thing. mm, N, N/mm, mJ, a share, or a count.
+/// One figure of all buttons; empty for a button without it. mm, N, N/mm, mJ, a share, or a count.
 struct DifferenceRow {
   QString name;
   Measure measure = Measure::length;
@@ -32,7 +32,7 @@ QString shownDifference(const DifferenceRow& row, std::size_t other, const Displ
 /// Unit of a measure: "cN", "cN/mm", "mJ", "%"; empty for counts.
 QString shownUnit(Measure measure, const DisplayUnits& units);
 
-/// The distance of the curves in one line of the person's units.
+/// The distance of two curves in one line, in the shown units.
 QString shownDistance(const GraphDistance& distance, const DisplayUnits& units);
 
 }  // namespace detent::editor

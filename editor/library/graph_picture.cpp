@@ -39,11 +39,12 @@ Plane planeFor(const Button& button, QSizeF size_px) {
       plane.fromF_N = std::min(plane.fromF_N, low);
       plane.toF_N = std::max(plane.toF_N, high);
     }
-  if (!(plane.toF_N > plane.fromF_N)) plane.toF_N = plane.fromF_N + 1;  // no force anywhere
+  if (!(plane.toF_N > plane.fromF_N)) plane.toF_N = plane.fromF_N + 1;  // the force is constant
   return plane;
 }
 
-// Thousands of samples on a hundred pixels: one per half pixel is enough, extrema included.
+// The line through the points, without those within half a pixel of the previous one: a hundred pixels need
+// no thousands of samples.
 QPainterPath pathOf(const std::vector<CurvePoint>& points, const Plane& plane) {
   QPainterPath path;
   QPointF last;

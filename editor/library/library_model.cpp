@@ -14,8 +14,8 @@ namespace {
 constexpr int openPictureDelay_ms = 150;
 constexpr int folderDelay_ms = 200;
 
-// The same picture in every mode: selected rows would tint it otherwise. A transparent one keeps the row's
-// height until the picture is there.
+// An icon with the same picture in every mode, because Qt would tint it in selected rows. A transparent one
+// keeps the row's height until the picture is available.
 QIcon shown(const QImage& image, QSize size_px) {
   QPixmap picture = QPixmap::fromImage(image);
   if (image.isNull()) {
@@ -77,7 +77,7 @@ void OpenButtonsModel::drawWaiting() {
   for (const Row& row : rows_) {
     if (std::find(waiting_.begin(), waiting_.end(), row.document) == waiting_.end()) continue;
     pictures_.draw(row.key, row.document->button());
-    tell(row.key);  // the title may have changed
+    tell(row.key);  // reported too, because the title may have changed
   }
   waiting_.clear();
 }

@@ -24,9 +24,10 @@ class OpenButtonsModel : public QAbstractListModel {
 
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   ButtonDocument* documentAt(const QModelIndex& index) const;
-  /// Forecasts of the difference of each button from the one shown, by document; missing ones show nothing.
+  /// Forecasts of the difference between each button and the shown one, by document; a button without one
+  /// shows nothing.
   void setForecasts(std::map<ButtonDocument*, playback::PredictedPair> forecasts);
-  /// Draws every picture anew, after the colours changed.
+  /// Draws all pictures again after the colours changed.
   void redraw();
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -45,7 +46,7 @@ class OpenButtonsModel : public QAbstractListModel {
   std::vector<Row> rows_;
   std::map<ButtonDocument*, playback::PredictedPair> forecasts_;
   std::vector<ButtonDocument*> waiting_;
-  QTimer soon_;  // a drag changes a button sixty times a second; its picture follows at leisure
+  QTimer soon_;  // delay for pictures, because a drag changes a button sixty times a second
   int nextKey_ = 1;
 };
 

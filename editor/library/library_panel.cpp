@@ -48,7 +48,7 @@ QListView* pictureList(QAbstractItemModel* model, const QString& objectName, con
   return list;
 }
 
-// A menu key asks for the middle of the list, not for a place in it.
+// A menu key refers to the middle of the list, not to a position.
 QModelIndex clickedIndex(const QListView& list, QPoint at) {
   const QModelIndex under = list.indexAt(at);
   return under.isValid() ? under : list.currentIndex();
@@ -138,12 +138,12 @@ void LibraryPanel::setDocuments(const std::vector<ButtonDocument*>& documents, B
   if (documents == documents_ && active == active_) return;
   documents_ = documents;
   active_ = active;
-  forecasts_.cancel();  // an answer about the others must not come into these rows
+  forecasts_.cancel();  // otherwise an answer for other buttons could fill these rows
   open_.setForecasts({});
   forecastSoon_.start();
 }
 
-/// The one shown against every other; nothing is computed while the panel is hidden.
+/// Requests forecasts of the shown button against every other one; none while the panel is hidden.
 void LibraryPanel::askForecasts() {
   if (!isVisible() || !active_ || documents_.size() < 2) return;
   std::vector<Button> buttons{active_->button()};

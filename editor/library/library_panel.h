@@ -31,10 +31,10 @@ class LibraryPanel : public QWidget {
  signals:
   void documentChosen(ButtonDocument* document);
   void fileChosen(const QString& path);
-  /// Requests a comparison with the active one.
+  /// Requests a comparison with the active button.
   void compareRequested(ButtonDocument* document);
   void compareFileRequested(const QString& path);
-  /// Several that were selected, and no others.
+  /// Requests a comparison of the selected buttons only.
   void compareAllRequested(const std::vector<detent::editor::ButtonDocument*>& documents);
   void compareFilesRequested(const QStringList& paths);
   void folderChanged(const QString& folder);
@@ -59,7 +59,7 @@ class LibraryPanel : public QWidget {
   PictureCache pictures_{pictureSize_px};
   OpenButtonsModel open_{pictures_};
   FolderModel files_{pictures_};
-  // Forecasts for the one shown; repeated after an edit of any.
+  // Forecasts for the shown button; repeated after an edit of any button.
   std::vector<ButtonDocument*> documents_;
   ButtonDocument* active_ = nullptr;
   ForecastSource forecasts_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button on the way from one to another, with what people will take it for.
+// Blends two buttons, and forecasts for which of the two people will take the result.
 
 #include <optional>
 #include <QBoxLayout>
@@ -19,13 +19,13 @@ namespace detent::editor {
 
 class ComparePlot;
 
-/// Works on copies, so later edits of the buttons have no effect. GUI thread; forecasts are computed beside
-/// it.
+/// Works on copies, so later edits of the buttons have no effect. GUI thread; forecasts are computed on
+/// another one.
 class MorphDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `buttons`: two or more; the one at `first` is where the way begins.
+  /// `buttons`: two or more; `first`: index of the one at the slider's beginning.
   MorphDialog(std::vector<Button> buttons, std::size_t first, const DisplayUnits& units,
               QWidget* parent = nullptr);
 
@@ -46,7 +46,7 @@ class MorphDialog : public QDialog {
   QComboBox *from_ = nullptr, *to_ = nullptr;
   QSlider* share_ = nullptr;
   ComparePlot* plot_ = nullptr;
-  QBoxLayout* sides_ = nullptr;  // the plot, and the rest below or beside it
+  QBoxLayout* sides_ = nullptr;  // contains the plot, and the rest below or beside it
   QLabel *percent_ = nullptr, *forecastFrom_ = nullptr, *forecastTo_ = nullptr;
   QPushButton* create_ = nullptr;
   std::optional<Button> between_;

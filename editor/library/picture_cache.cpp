@@ -55,7 +55,7 @@ QImage PictureCache::ofFile(const QString& path) {
 
 void PictureCache::finished(const QString& key, const QString& stamp, const QImage& image,
                             const QString& trouble, int appearance) {
-  if (appearance != appearance_) return;  // made with colours that are gone
+  if (appearance != appearance_) return;  // drawn with previous colours
   making_.remove(key);
   files_.insert(key, new Entry{stamp, image, trouble});
   emit ready(key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Graph pictures for lists, drawn beside the window's thread and kept.
+// Graph pictures for lists, drawn on another thread and kept.
 
 #include <QCache>
 #include <QImage>
@@ -13,7 +13,7 @@
 
 namespace detent::editor {
 
-/// GUI thread; reading files and drawing happen on a thread of its own.
+/// GUI thread; a separate thread reads files and draws.
 class PictureCache : public QObject {
   Q_OBJECT
 
@@ -23,12 +23,12 @@ class PictureCache : public QObject {
   /// Waits for the picture being drawn; those not begun are dropped.
   ~PictureCache() override;
 
-  /// The picture of a button file as it stands on the disk; null while it is being made (ready() follows) and
-  /// for files that hold no button. A changed file gets a new picture.
+  /// Picture of a button file in its present form; null while it is being made (ready() follows) and for
+  /// files without a button. A changed file gets a new picture.
   QImage ofFile(const QString& path);
-  /// Asks for the picture of an open button; `key` is stable per document. ready(key) follows.
+  /// Requests the picture of an open button; `key` identifies its document. ready(key) follows.
   void draw(const QString& key, const Button& button);
-  /// The last one drawn under this key.
+  /// The last picture drawn under this key.
   QImage drawn(const QString& key) const;
   void forget(const QString& key);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Chooses the measured switches that are shown: by words, kind, and figures from … to ….
+// Filters the measured switches by words, kind, and ranges of figures.
 
 #include <memory>
 #include <optional>
@@ -23,9 +23,9 @@ class FilterBar : public QWidget {
  public:
   explicit FilterBar(const DisplayUnits& units, QWidget* parent = nullptr);
 
-  /// The filter as typed; ends that cannot be read are left open, and marked.
+  /// The filter as typed. Ends that cannot be read are marked, and count as open.
   SwitchFilter filter() const;
-  /// From now on numbers typed without a unit are in these.
+  /// Sets the units of numbers that are typed without one.
   void setUnits(const DisplayUnits& units);
   /// Adds a range of a figure with both ends open.
   void addRange();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The library's file, read and filled beside the window.
+// Reads and fills the library's file without stopping the window.
 
 #include <atomic>
 #include <functional>
@@ -18,7 +18,7 @@ struct LibraryRequest {
   bool pages = false;  ///< pages and pictures of datasheets too: seconds each
 };
 
-/// One worker thread: earlier requests are done first. GUI thread; answers come through the event loop.
+/// One worker thread executes the requests in order. GUI thread; answers come through the event loop.
 class LibrarySource : public QObject {
   Q_OBJECT
 
@@ -29,25 +29,25 @@ class LibrarySource : public QObject {
   /// Loads a library; `loaded` or `failed` follows. A library that cannot be read, for example that of
   /// another version, is rebuilt from `orFrom`'s folders as by index().
   void load(const QString& database, LibraryRequest orFrom = {});
-  /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
+  /// Emits `indexed` and then the signals of load(), or `failed`; `progressed` meanwhile.
   void index(LibraryRequest request);
   /// Ends an index run; files read so far are kept and loaded.
   void cancel();
-  /// `opened` or `failed` follows for each, in this order.
+  /// Emits `opened` or `failed` for each call, in order.
   void open(const std::vector<importer::LibrarySwitch>& entries);
 
  signals:
   void loaded(const QString& database, std::shared_ptr<const detent::editor::MeasuredSwitches> switches);
   void indexed(const detent::importer::IndexSummary& summary);
   void progressed(double fraction, const QString& file);
-  /// All requested switches that could be read; `last` of the call.
+  /// All switches of one call of open() that could be read.
   void opened(const std::vector<detent::Button>& buttons);
   void failed(const QString& sentence);
 
  private:
   void loadHere(const QString& database);  // worker thread
   void indexHere(LibraryRequest request);  // worker thread
-  /// Reader of pages on the worker's own thread, page by page, as in the import window.
+  /// Reader of pages on the worker's thread, page by page, as in the import window.
   importer::PageReader pageReader();
   void run(std::function<void()> work);
 

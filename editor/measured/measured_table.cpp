@@ -126,11 +126,11 @@ void MeasuredTable::orderBy(KeyOf keyOf) {
 
 void MeasuredTable::order() {
   const auto& entries = switches();
-  if (sortColumn_ < 0 && ranked()) {  // whatever way the last column was sorted
+  if (sortColumn_ < 0 && ranked()) {  // independent of the last column's order
     std::ranges::stable_sort(shown_, {}, [&](SwitchIndex each) { return distances_[each]; });
     return;
   }
-  if (sortColumn_ < 0) return;  // in the library's order: by name
+  if (sortColumn_ < 0) return;  // without a sorted column: the library's order, by name
   if (const auto figure = figureOf(sortColumn_))
     return orderBy([&](SwitchIndex each) { return entries[each].figures[*figure]; });
   if (sortColumn_ == distanceColumn) return orderBy([&](SwitchIndex each) { return distanceOf(each); });

@@ -16,14 +16,14 @@ namespace detent::editor {
 /// Contents of an open library. Immutable once it is shared.
 struct MeasuredSwitches {
   std::vector<importer::LibrarySwitch> switches;
-  importer::FeelMap map;  ///< a place for each
+  importer::FeelMap map;  ///< position of each switch on the map
   importer::RatingsByName ratings = importer::RatingsByName({});
 };
 
-/// Index of a switch in the library. The rows of the table are a part of these.
+/// Index of a switch in the library. The table shows some of the switches.
 using SwitchIndex = std::size_t;
 
-/// The name is the row's header. GUI thread.
+/// Table whose row headers are the switches' names. GUI thread.
 class MeasuredTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -45,8 +45,8 @@ class MeasuredTable : public QAbstractTableModel {
   void setSwitches(std::shared_ptr<const MeasuredSwitches> switches);
   void setUnits(const DisplayUnits& units);
   void setFilter(SwitchFilter filter);
-  /// Computes the distances of all switches to this shape; without one there are none. If no column sorts,
-  /// the nearest is first.
+  /// Computes the distances of all switches from this shape; without a shape there are none. If no column is
+  /// sorted, the nearest switch comes first.
   void rankBy(const std::optional<importer::FeltShape>& like);
   /// Forecast of one switch, in a few words.
   void setForecast(SwitchIndex of, const QString& words);
@@ -58,7 +58,7 @@ class MeasuredTable : public QAbstractTableModel {
   /// Switches of the rows, from the top.
   const std::vector<SwitchIndex>& shown() const { return shown_; }
   std::optional<double> distanceOf(SwitchIndex of) const;
-  /// Spread of all records of that switch by its laboratory.
+  /// Spread over all records of that switch by its laboratory.
   importer::SwitchSpread spreadOf(SwitchIndex of) const;
   /// Ratings of switches with this switch's name.
   std::vector<importer::Rating> ratingsOf(SwitchIndex of) const;
@@ -80,7 +80,7 @@ class MeasuredTable : public QAbstractTableModel {
   std::shared_ptr<const MeasuredSwitches> all_;
   std::vector<QString> searched_;  // of each
   std::vector<SwitchIndex> shown_;
-  std::vector<double> distances_;  // in lab noises, of each; empty: no distances requested
+  std::vector<double> distances_;  // distance of each switch, in lab noises; empty: no distances requested
   std::map<SwitchIndex, QString> forecasts_;
   SwitchFilter filter_;
   DisplayUnits units_;

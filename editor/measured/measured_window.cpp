@@ -40,11 +40,11 @@ constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;
 constexpr std::size_t comparedSwitches = seriesColors;
 constexpr int longestList = 4;  // of credits and licences in a line
 
-/// A header whose sections cannot be dragged has no grips: a click beside a line between two rows chooses the
-/// row.
+/// A style without resize grips for headers whose sections cannot be resized, so that a click near a line
+/// between two rows selects the row.
 class NoGrips : public QProxyStyle {
  public:
-  NoGrips() : QProxyStyle(QStringLiteral("Fusion")) {}  // what outlinedStyle() stands on
+  NoGrips() : QProxyStyle(QStringLiteral("Fusion")) {}  // Fusion is the base of outlinedStyle()
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
     return metric == PM_HeaderGripMargin ? 0 : QProxyStyle::pixelMetric(metric, option, widget);
   }
@@ -223,7 +223,7 @@ QWidget* MeasuredWindow::tableView() {
   across->setDefaultAlignment(static_cast<Qt::Alignment>(Qt::AlignCenter | Qt::TextWordWrap));
   across->setDefaultSectionSize(figureColumn_em * em);
   across->setFixedHeight(headerLines * fontMetrics().lineSpacing() + em);
-  across->setSortIndicatorClearable(true);  // back to the nearest first
+  across->setSortIndicatorClearable(true);  // a third click returns to the order by distance
   across->setSortIndicator(-1, Qt::AscendingOrder);
   across->setContextMenuPolicy(Qt::CustomContextMenu);
   across->setSectionsMovable(true);
@@ -494,7 +494,7 @@ void MeasuredWindow::askLikeChosen() {
   rank();
 }
 
-// The user wants to see the nearest ones, whatever the table was sorted by.
+// The user wants the nearest switches first, whatever column was sorted.
 void MeasuredWindow::nearestFirst() { view_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder); }
 
 void MeasuredWindow::rank() {

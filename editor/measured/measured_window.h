@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The measured switches of a library: table, map, overlay; which of them feels like a button; credit and
-// licence always in view.
+// The measured switches of a library: table, map, overlay, and which of them feel like a given button. Credit
+// and licence are always visible.
 
 #include <functional>
 #include <optional>
@@ -30,7 +30,7 @@
 
 namespace detent::editor {
 
-/// Access of the window to the tabs and the disk; tests put their own in. All of it outlives the window.
+/// Access of the window to the tabs and the disk; tests replace it. All of it outlives the window.
 struct MeasuredContext {
   ViewSettings& view;
   QSettings& settings;  ///< "measured/…": the library's file, its folders
@@ -39,7 +39,7 @@ struct MeasuredContext {
   std::function<void(const std::vector<Button>&)> open;
   /// Opens buttons, each in a tab, and overlays them in the comparison.
   std::function<void(const std::vector<Button>&)> compare;
-  // The user's choice; empty: cancelled.
+  // The path that the user chose; empty: cancelled.
   std::function<QString(QWidget*parent)> libraryFile, folder;
   std::function<QString(QWidget* parent, const QString& suggested)> page;
 };
@@ -51,7 +51,7 @@ class MeasuredWindow : public QDialog {
  public:
   explicit MeasuredWindow(MeasuredContext context, QWidget* parent = nullptr);
 
-  /// The open buttons that can be chosen changed.
+  /// Updates the list of open buttons.
   void followDocuments();
   /// Sorts the switches by distance to this button, nearest first.
   void askFor(ButtonDocument& document);
@@ -71,7 +71,7 @@ class MeasuredWindow : public QDialog {
   /// The reference of the comparison.
   struct Reference {
     QString name;
-    importer::LibrarySwitch entry;   ///< its own where it is of the library
+    importer::LibrarySwitch entry;   ///< entry in the library, if the reference is a switch of it
     std::optional<SwitchIndex> own;  ///< likewise
     QPointer<ButtonDocument> document;
   };
@@ -122,7 +122,7 @@ class MeasuredWindow : public QDialog {
   std::set<SwitchIndex> chosen_;
   std::optional<Reference> reference_;
   std::vector<importer::RefusedFile> refused_;
-  std::vector<ButtonDocument*> listed_;  // in the order of the choice
+  std::vector<ButtonDocument*> listed_;  // in the order of the combo box
   bool loadedOnce_ = false, restoring_ = false, comparing_ = false;
 
   QStackedWidget* pages_ = nullptr;

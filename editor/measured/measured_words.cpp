@@ -14,7 +14,7 @@ namespace detent::editor {
 namespace {
 
 constexpr double leastStep =
-    1e-3;  // N, mm, N/mm, mJ and share: finer than any meter behind these measurements
+    1e-3;  // in N, mm, N/mm, mJ or as a share: finer than any meter behind these measurements
 constexpr int mostDecimals = 6;
 
 struct Measured {
@@ -85,7 +85,7 @@ QString withError(const QString& shown, const std::optional<double>& sigma, KeyF
   const QString error = figureText(*sigma, figure, units);
   const bool none = std::ranges::none_of(error, [](QChar c) { return c >= '1' && c <= '9'; });
   if (!none) return Measured::tr("%1 ± %2").arg(shown, error);
-  // Smaller than the last place that is shown.
+  // An error below the last shown digit is not added.
   return shown;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Measured switches in the person's words and units.
+// Measured switches in words, in the shown units.
 
 #include <optional>
 #include <QString>
@@ -15,11 +15,11 @@ QString titleOf(const importer::LibrarySwitch& entry);
 QString kindWords(importer::SwitchKind kind);
 QString licenceWords(const importer::LibrarySwitch& entry);
 QString creditWords(const importer::LibrarySwitch& entry);
-/// Title, credit and licence, a line each.
+/// Title, credit and licence, one per line.
 QString creditedTitle(const importer::LibrarySwitch& entry);
-/// Text of a figure in the unit shown, without it; a share in %.
+/// Text of a figure in the shown unit, without that unit; shares in %.
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units);
-/// "53.2 ± 0.1" for "53.2"; without an error as it is.
+/// "53.2 ± 0.1" for "53.2"; without an error the text itself.
 QString withError(const QString& shown, const std::optional<double>& sigma, KeyFigure figure,
                   const DisplayUnits& units);
 /// " 9 records of 3 units: peak force 53.2 ± 1.4 cN between units."; empty for a single record.
@@ -29,7 +29,7 @@ QString doubtfulScaleWords();
 QString ratingWords(const std::vector<importer::Rating>& ratings);
 /// "Peak force (cN)".
 QString figureTitle(KeyFigure figure, const DisplayUnits& units);
-/// A figure as it is shown: in the unit, a share in %.
+/// A figure in the shown unit; shares in %.
 double shownFigure(double value, KeyFigure figure, const DisplayUnits& units);
 
 }  // namespace detent::editor

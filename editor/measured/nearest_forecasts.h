@@ -20,7 +20,8 @@ class NearestForecasts : public QObject {
   explicit NearestForecasts(QObject* parent = nullptr);
   ~NearestForecasts() override;
 
-  /// `foretold` follows once for each that could be read, unless another question overtakes this one.
+  /// Requests forecasts. `foretold` follows once for each switch that could be read, unless a newer request
+  /// replaces this one.
   void ask(const Button& reference, std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest);
   void cancel();
 
@@ -32,7 +33,7 @@ class NearestForecasts : public QObject {
                const std::vector<Button>& buttons);
 
   std::atomic<quint64> question_{0};
-  std::vector<SwitchIndex> requested_;  // of the request that is worked on
+  std::vector<SwitchIndex> requested_;  // switches of the running request
   ForecastSource source_;
   QThreadPool reader_;  // last member, because its thread uses the others
 };

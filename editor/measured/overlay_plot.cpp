@@ -122,11 +122,12 @@ void OverlayPlot::redraw() {
   const bool anything = graphCount() > 0;
   layOutLegend();
   legend->setVisible(anything);
-  axisRect()->setVisible(anything);  // beside a legend without entries the axes would have next to no room
+  // hidden without curves, because a legend without entries would leave the axes no space
+  axisRect()->setVisible(anything);
   replot(rpQueuedReplot);
 }
 
-// Side by side only where every name has its room: a QCPLegend cuts them off without a word.
+// Puts names side by side only if all of them fit, because a QCPLegend would cut them off.
 void OverlayPlot::layOutLegend() {
   int widest_px = 0;
   for (int i = 0; i < legend->itemCount(); ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Measured curves over each other from first contact on, with the scatter of all chosen as a band.
+// Measured curves over each other from first contact on, with a band for the scatter of all selected
+// switches.
 
 #include <optional>
 #include <vector>
@@ -20,20 +21,20 @@ struct ScatterPoint {
 /// Mean and scatter over the common travel; empty for fewer than two.
 std::vector<ScatterPoint> scatterOf(const std::vector<const importer::FeltShape*>& shapes);
 
-/// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI
-/// thread.
+/// Press solid, release dashed, one colour per switch. Beyond `mostCurves`, only the band represents the
+/// switches. GUI thread.
 class OverlayPlot : public QCustomPlot {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t mostCurves = 6;  ///< as many colours can be distinguished
+  static constexpr std::size_t mostCurves = 6;  ///< number of colours that can be distinguished
 
   explicit OverlayPlot(QWidget* parent = nullptr);
 
   /// A switch that is drawn.
   struct Entry {
     QString name;
-    const importer::FeltShape* shape = nullptr;  ///< lives as long as it is shown
+    const importer::FeltShape* shape = nullptr;  ///< must outlive its display
   };
   /// The reference of the others (null: none) is drawn in the text's colour.
   void show(std::vector<Entry> entries, std::optional<importer::FeltShape> requested,

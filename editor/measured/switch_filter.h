@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which of the measured switches are shown.
+// Filter of the measured switches.
 
 #include <optional>
 #include <QString>
@@ -10,11 +10,11 @@
 
 namespace detent::editor {
 
-/// All of it is kept by a switch that is shown. Plain value.
+/// A switch is shown if it passes every criterion. Plain value.
 struct SwitchFilter {
-  QString words;  ///< each stands somewhere in name, unit, licence, credit or file, whatever the case
+  QString words;  ///< each word occurs in name, unit, licence, credit or file, in either case
   std::optional<importer::SwitchKind> kind;
-  std::vector<importer::FigureRange> ranges;  ///< a switch without the figure keeps none
+  std::vector<importer::FigureRange> ranges;  ///< a switch without the figure does not pass
 };
 
 /// Text that is searched for words: one per switch, in lower case.

@@ -21,7 +21,7 @@ constexpr double percent = 100;
 constexpr std::array kinds{importer::SwitchKind::linear, importer::SwitchKind::between,
                            importer::SwitchKind::tactile};
 
-/// Shapes differ too, so that no meaning hangs on colour alone.
+/// Shapes differ too, so that no meaning depends on colour alone.
 constexpr std::array shapes{QCPScatterStyle::ssDisc, QCPScatterStyle::ssDiamond, QCPScatterStyle::ssTriangle};
 
 }  // namespace

@@ -19,13 +19,14 @@ struct MapScale {
   friend bool operator==(const MapScale&, const MapScale&) = default;
 };
 
-/// A click chooses the nearest dot, a drag all in the rectangle; with Ctrl they are added to those chosen.
-/// The wheel zooms, a double click shows all again. Switches without a figure have no place. GUI thread.
+/// A click selects the nearest dot, a drag all dots in the rectangle; Ctrl adds them to the selection. The
+/// wheel zooms, a double click shows everything again. Switches without a figure are not on the map. GUI
+/// thread.
 class SwitchMap : public QCustomPlot {
   Q_OBJECT
 
  public:
-  /// `table` must outlive this; redraw() after it changed.
+  /// `table` must outlive this. Call redraw() after it changed.
   explicit SwitchMap(const MeasuredTable& table, QWidget* parent = nullptr);
 
   void setScales(const MapScale& x, const MapScale& y);
@@ -36,8 +37,8 @@ class SwitchMap : public QCustomPlot {
   void redraw();
   /// Position of a switch in the widget; empty if it has none or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which);
-  /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes
-  /// with most.
+  /// Title of an axis: "Peak force (cN)", or "Principal axis 1: 64 %, Peak force", with its share of the
+  /// variance and the figure that correlates with it most.
   QString titleOf(const MapScale& scale) const;
 
  signals:

@@ -104,12 +104,12 @@ class Drawing {
     painter_.setBrush(mark_);
     painter_.drawEllipse(place, 2.2 * line_, 2.2 * line_);
   }
-  // A force: up from the travel axis.
+  // Draws a force: an arrow up from the travel axis.
   void height(double mm, double N) {
     arrow(at(mm, 0), at(mm, N));
     dot(at(mm, N));
   }
-  // A travel: below the travel axis, with thin lines up to the curve.
+  // Draws a travel: an arrow below the travel axis, with thin lines up to the curve.
   void way(double from_mm, double to_mm, double from_N = 0, double to_N = 0) {
     const double below = 4 * line_;
     const QPointF down(0, below);

@@ -100,7 +100,7 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   followSettings();
 }
 
-// The document lives on, so an unfinished edit is cancelled.
+// Cancels an unfinished edit, because the document outlives the workspace.
 GraphWorkspace::~GraphWorkspace() {
   document_.disconnect(this);
   operations_->closeDialog();
@@ -409,7 +409,7 @@ void GraphWorkspace::followSettings() {
   underlayLabel_->setVisible(page);
   underlay_->setVisible(page);
   bar_->setVisible(page || barHasChoices());
-  // Points that are read on request can be switched on, which reads them.
+  // Traced points that are only read on request can be switched on too, which reads them.
   const bool traced = !canvas_->tracedPoints(Stroke::press).empty() || document_.originOnDemand();
   residualsShown_->setEnabled(traced);
   snapTraced_->setEnabled(traced);

@@ -55,7 +55,7 @@ class GraphWorkspace : public QWidget {
 
   /// Copies the selection as text (knot_text.h); without one, requests the whole button.
   void copySelected();
-  /// One step; reports why if the graph cannot take it.
+  /// Inserts the stretch in one step; reports the reason if the graph refuses it.
   void paste(const GraphStretch& stretch);
 
   /// Shows the finger of the feel panel; nullopt: hidden.
@@ -68,11 +68,11 @@ class GraphWorkspace : public QWidget {
   ToolBox& tools() { return *tools_; }
 
  signals:
-  /// mm and N; nullopt when the pointer left.
+  /// Position of the pointer in mm and N; nullopt when it left the plot.
   void cursorMoved(std::optional<detent::CurvePoint> at);
   /// Refusals and hints for the status bar; empty clears it.
   void statusMessage(const QString& text);
-  /// Numbers of the selected point are to be typed.
+  /// The user wants to type numbers of the selected point.
   void valuesRequested(detent::editor::FirstValue first);
   /// Copy was requested without a selection.
   void buttonCopyRequested();

@@ -401,8 +401,8 @@ void KeyFiguresModel::solveNext() {
 }
 
 void KeyFiguresModel::takeTyped(const TargetOutcome& outcome) {
-  // Every change starts a new request (follow), so the answer fits the current button; another edit may hold
-  // it.
+  // Every change of the button starts a new request (follow), so this answer fits the present button. Another
+  // edit may be in progress.
   if (document_.history().dragging())
     return QTimer::singleShot(figuresDragPause_ms, this, &KeyFiguresModel::solveNext);
   const auto [which, value, state] = typed_.front();

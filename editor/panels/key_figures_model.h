@@ -54,9 +54,9 @@ class KeyFiguresModel : public QAbstractTableModel {
   bool anyWanted() const;
   /// The active state with all requested figures; nullopt without requests, or if impossible.
   const std::optional<ButtonState>& preview() const { return preview_; }
-  /// Returns true while a solve runs, or waits until nobody holds the button.
+  /// Returns true while a solve runs, or waits for another edit to end.
   bool solving() const { return looking_ || !typed_.empty(); }
-  /// Reason without a preview; empty with a preview or without requests.
+  /// Reason why there is no preview; empty with a preview or without requests.
   const QString& conflict() const { return conflict_; }
   /// Makes the preview one undo step and clears the requests.
   void take();

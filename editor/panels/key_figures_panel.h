@@ -31,7 +31,7 @@ class KeyFiguresPanel : public QWidget {
   KeyFiguresModel& model() { return *model_; }
 
  signals:
-  /// A missing operating or reset point is to be given.
+  /// The user wants to set a missing operating or reset point.
   void contactsRequested();
 
  protected:

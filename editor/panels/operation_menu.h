@@ -47,7 +47,7 @@ class OperationMenu : public QObject {
   ToolBox& tools_;
   QWidget& window_;
   QPointer<OperationDialog> dialog_;
-  bool refitWaits_ = false;  ///< for the traced points
+  bool refitWaits_ = false;  ///< a refit waits for the traced points
   QList<QAction*> actions_;
   std::vector<std::pair<QAction*, bool (*)(const OperationTarget&)>> offers_;
 };

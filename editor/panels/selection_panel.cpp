@@ -30,7 +30,7 @@ class SelectedRow : public QTransposeProxyModel {
   QModelIndex toValues(const QModelIndex& index) const { return only_.mapToSource(mapToSource(index)); }
   QModelIndex cell(int column) const { return index(column, 0); }
 
-  // The unit stands in the cell.
+  // The unit is shown in the cell.
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
     const QVariant head = QTransposeProxyModel::headerData(section, orientation, role);
     return role == Qt::DisplayRole ? head.toString().section('\n', 0, -2).replace('\n', ' ') : head;
@@ -88,7 +88,7 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  // Room for the numbers of any point, so that the figures below do not move with the selection.
+  // Reserves space for the numbers of any point, so that the figures below do not move with the selection.
   constexpr int mostLines = 4;
   auto* room = new QWidget;
   room->setFixedHeight(2 * table_->frameWidth() + mostLines * table_->verticalHeader()->defaultSectionSize());
@@ -114,7 +114,7 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
   showMark({});
 }
 
-// A slope handle has the numbers of its knot.
+// A slope handle shows the numbers of its knot.
 void SelectionPanel::showMark(std::optional<MarkId> mark) {
   if (mark && (mark->kind == MarkKind::slopeBefore || mark->kind == MarkKind::slopeAfter))
     mark->kind = MarkKind::knot;

@@ -31,7 +31,7 @@ class SelectionPanel : public QWidget {
   bool edit(FirstValue first);
 
  signals:
-  /// A cell opened by edit() was closed, typed or not.
+  /// A cell opened by edit() was closed, with or without a typed value.
   void edited();
 
  private:
@@ -43,7 +43,7 @@ class SelectionPanel : public QWidget {
   std::optional<MarkId> mark_;
   QLabel *title_, *trouble_;
   ValueTable* table_;
-  bool editing_ = false;  ///< begun by edit()
+  bool editing_ = false;  ///< a cell was opened by edit()
 };
 
 }  // namespace detent::editor

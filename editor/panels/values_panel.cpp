@@ -73,7 +73,7 @@ void ValuesPanel::layOut() {
   giveRoomToNames();
 }
 
-// Headings span the whole width and do not count.
+// Headings span all columns, so they do not determine a column's width.
 int ValuesPanel::widthOf(int column) const {
   const QFontMetrics metrics = table_->fontMetrics();
   int text_px = column == ValuesModel::name ? 0 : leastNumber * metrics.horizontalAdvance(QLatin1Char('0'));
@@ -113,7 +113,7 @@ void ValuesPanel::showRefusal(const QModelIndex& index, const QString& why) {
 void ValuesPanel::showMark(std::optional<MarkId> mark) {
   if (!mark) return;
   const auto row = model_->rowOf(*mark);
-  // An edited row keeps its cell.
+  // The row that is being edited stays selected.
   if (!row || *row == table_->currentIndex().row()) return;
   const QSignalBlocker quiet(this);
   table_->setCurrentIndex(model_->index(*row, ValuesModel::displacement));

@@ -37,7 +37,7 @@ bool isTimes(QChar c) {
 }
 bool isOver(QChar c) { return c == QLatin1Char('/') || c == QChar(0x00F7); }
 
-/// Recursive descent; the first trouble ends it.
+/// Recursive-descent parser; stops at the first fault.
 class Reader {
  public:
   Reader(const QString& text, Dimension shown, double shownSize)
@@ -147,7 +147,7 @@ class Reader {
     return value;
   }
 
-  // "1e-3", not the start of a unit.
+  // Reads an exponent ("1e-3"), which must not be taken for the start of a unit.
   void readExponent(QString& digits) {
     if (at_ >= text_.size() || text_[at_].toLower() != QLatin1Char('e')) return;
     qsizetype end = at_ + 1;
@@ -182,8 +182,8 @@ class Reader {
     return {};
   }
 
-  // Terms of a sum need one dimension. A bare number beside one with a unit is only clear where that unit is
-  // the shown one.
+  // Terms of a sum must have one dimension. A bare number beside a number with a unit is only clear if that
+  // unit is the shown one.
   void bringTogether(Amount& left, Amount& right) {
     if (left.dimension == right.dimension) {
       if (left.unit != right.unit) left.unit = std::numeric_limits<double>::quiet_NaN();
@@ -195,7 +195,7 @@ class Reader {
     *bare = {bare->amount * shownSize_, shown_, shownSize_};
   }
 
-  // "3/4 mm" are three quarters of a millimetre: the unit is the fraction's.
+  // "3/4 mm" is three quarters of a millimetre: the unit belongs to the fraction.
   static Amount fractionOf(const Amount& left, const Amount& right) {
     return {left.amount / (right.amount / right.unit) * right.unit, right.dimension, right.unit};
   }

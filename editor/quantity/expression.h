@@ -30,7 +30,7 @@ struct Dimension {
   friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
-/// A number in N, mm and s; without a dimension: the number as typed.
+/// A number in N, mm and s; without a dimension, the number as typed.
 struct Amount {
   double amount = 0;
   Dimension dimension;
@@ -43,7 +43,7 @@ struct Evaluation {
   QString culprit;
 };
 
-/// `shown` and `shownSize`: dimension and size (in N, mm, s) of the unit bare numbers have. Any thread.
+/// `shown`, `shownSize`: dimension and size (in N, mm, s) of the unit that bare numbers have. Any thread.
 Evaluation evaluate(const QString& text, Dimension shown, double shownSize);
 
 }  // namespace detent::editor

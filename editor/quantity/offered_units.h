@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The units that boxes offer, in the order in which they stand there.
+// The units that combo boxes offer, in their order.
 
 #include <array>
 #include <QString>

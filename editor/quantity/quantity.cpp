@@ -43,8 +43,8 @@ Change changeIn(const QString& text) {
   return {Change::Kind::none, text};
 }
 
-// "30 %" of a share is 0.3; of anything else it is that part of what stands there. With a sign it is a change
-// by that part.
+// "30 %" of a share means 0.3. For any other quantity it means that part of the present value; with a sign, a
+// change by that part.
 QuantityReading readPercent(const QString& text, Quantity quantity, std::optional<double> now) {
   const Change change = changeIn(text);
   const bool less = change.kind == Change::Kind::minus ||
@@ -62,7 +62,8 @@ QuantityReading readPercent(const QString& text, Quantity quantity, std::optiona
   return {*now * factor, 0, {}, {}};
 }
 
-// A number below 1 without its sign is more often a share than a part of a percent.
+// Asks about a number below 1 without a percent sign, because it is more often meant as a share than as a
+// part of a percent.
 QString doubtOfShare(const QString& text, double share, const DisplayUnits& units) {
   const QString typedText = quantityWithUnit(share, Quantity::share, units);
   if (share > 1) return tr("%1 is more than 100 %. Press Enter again to keep it.").arg(typedText);
@@ -77,7 +78,7 @@ constexpr double mostForce_N = 20, mostTravel_mm = 30;
 // Usual values of buttons: in this range another unit is proposed.
 constexpr double usualForce_N[] = {0.05, 10}, usualTravel_mm[] = {0.1, 10};
 
-// The number that was typed, with the first unit in which it would be usual.
+// The typed number with the first unit in which its value would be usual.
 QString meantBy(const QString& text, Quantity quantity, const DisplayUnits& units) {
   const auto isLetter = [](QChar c) { return c.isLetter(); };
   const QString number = text.left(std::find_if(text.begin(), text.end(), isLetter) - text.begin()).trimmed();

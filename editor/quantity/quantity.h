@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The one way numbers with a unit are read and shown: in fields, tables, dialogues, on axes and ticks.
+// The only code that reads and shows numbers with units: in fields, tables, dialogues, on axes and ticks.
 //
 // Reading is the same in every locale: both decimal signs, never a group separator (a possible one is
 // refused, not guessed), any known unit, sums and products, and changes of the present value.
@@ -26,10 +26,11 @@ enum class Quantity {
   resolution,  ///< dpi
 };
 
-/// A text read. `trouble` says why there is no value; `culprit` is the part of the text it is about.
+/// Result of reading a text. `trouble`: the reason why there is no value; `culprit`: the part of the text
+/// that causes it.
 struct QuantityReading {
   std::optional<double> value;  ///< mm, N, N/mm, N·s/mm; else the number itself
-  double shown = 0;             ///< the value in the shown unit: exactly what was typed, where no unit was
+  double shown = 0;             ///< the value in the shown unit; exactly the typed number if it had no unit
   QuantityTrouble trouble = QuantityTrouble::empty;
   QString culprit;
 };
@@ -43,20 +44,20 @@ struct QuantityReading {
 QuantityReading readQuantity(const QString& text, Quantity quantity, const DisplayUnits& units,
                              std::optional<double> now = {});
 
-/// The reason why a text was refused, and what can be typed instead: one sentence or two for the person.
+/// The reason why a text was refused, and what can be typed instead, in one or two sentences.
 QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units);
 
-/// A question where what was typed is no button's: more than 20 N or 30 mm, either way; more than the whole
-/// of a share, or less than a hundredth where its sign was not typed. "… Meant: 60 gf? …" with the same
-/// number in the unit that fits, if one does. Empty where nothing is odd, and for slopes and all else.
+/// A question if a value is unusual for a button: more than 20 N or 30 mm in either direction; more than the
+/// whole of a share, or less than a hundredth typed without a percent sign. "… Meant: 60 gf? …" proposes the
+/// same number in a unit that fits, if there is one. Empty for usual values, slopes and all other quantities.
 QString doubtOf(const QString& text, double value, Quantity quantity, const DisplayUnits& units);
 
 /// Size of the shown unit in mm, N, N/mm; 0.01 for shares, 1 for numbers without a unit.
 double shownUnitOf(Quantity quantity, const DisplayUnits& units);
-/// "mm", "cN/mm", "N·s/mm", "%", "dpi"; empty where there is none.
+/// "mm", "cN/mm", "N·s/mm", "%", "dpi"; empty if there is no unit.
 QString symbolOf(Quantity quantity, const DisplayUnits& units);
 
-/// A value (mm, N ...) in the shown unit, without the unit.
+/// A value (mm, N, ...) in the shown unit, without that unit.
 QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
 /// Text with the unit: "1.305 mm".
 QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);

@@ -17,7 +17,7 @@ namespace {
 constexpr int shownDigits = 6;
 constexpr int widestDigits = 12;  // characters the field has room for, with its unit
 
-// A hundredth of the number's decade above it: 0.55 goes by 0.01, 60 by 1.
+// Step of the field: a hundredth of the next power of ten above the number. 0.55 is stepped by 0.01, 60 by 1.
 double stepOf(double shown, double widest) {
   const double size = shown != 0 ? std::abs(shown) : 0.01 * std::max(widest, 1e-6);
   return std::pow(10.0, std::floor(std::log10(size) + 1e-9) - 1);
@@ -68,7 +68,7 @@ void QuantityField::take(const QString& typed) {
   if (!reading.value) return refuse(refusalOf(reading, quantity_, units_));
   if (const QString why = rangeRefusal(*reading.value); !why.isEmpty()) return refuse(why);
   refuse({});
-  // The shown text, typed again, is the value it was made from, with all its digits.
+  // If the shown text is typed again, the value keeps all its digits.
   const double read = typed.trimmed() == textOf(before_)
                           ? before_
                           : std::clamp(*reading.value, range_.lowest, range_.highest);
@@ -94,7 +94,7 @@ QString QuantityField::textOf(double value) const {
 }
 
 QString QuantityField::rangeRefusal(double value) const {
-  // The shown text of the bound, with its few digits, is the bound.
+  // The text of a bound has few digits, but counts as the bound.
   const double slack =
       std::pow(10.0, 1 - shownDigits) * std::max(std::abs(range_.lowest), std::abs(range_.highest));
   if (value >= range_.lowest - slack && value <= range_.highest + slack) return {};
@@ -138,7 +138,7 @@ void QuantityField::stepBy(int steps) {
   if (changes) emit valueChanged(value_);
 }
 
-// Any text may be typed; its meaning, or what is wrong, is shown beside the field.
+// Any text may be typed; its meaning or its fault is shown beside the field.
 QValidator::State QuantityField::validate(QString&, int&) const { return QValidator::Acceptable; }
 void QuantityField::fixup(QString&) const {}
 

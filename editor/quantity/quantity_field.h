@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A field for one quantity: reads what people type (quantity.h), refuses in place, steps with arrows and
-// wheel.
+// A field for one quantity: reads typed text (quantity.h), shows refusals beside the field, steps with arrows
+// and wheel.
 
 #include <QAbstractSpinBox>
 
@@ -9,14 +9,14 @@
 
 namespace detent::editor {
 
-/// Values in a QuantityField's range, in mm, N ... (as QuantityReading::value).
+/// Range of a QuantityField, in mm, N, ... (as QuantityReading::value).
 struct QuantityRange {
   double lowest = 0, highest = 0;
 };
 
-/// Shows a value with its unit. While a person types, every text that can be read is the value at once; one
-/// that cannot stays as typed, marked, with the reason as tool tip and description, and the value is the last
-/// one that was read. Changes ("+5") count from the value before typing began. GUI thread.
+/// Shows a value with its unit. While the user types, every readable text is the value at once. An unreadable
+/// text stays as typed and is marked, with the reason as tool tip and description; the value stays the last
+/// readable one. Changes ("+5") refer to the value before typing began. GUI thread.
 class QuantityField : public QAbstractSpinBox {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class QuantityField : public QAbstractSpinBox {
   Quantity quantity() const { return quantity_; }
   const QuantityRange& range() const { return range_; }
   double value() const { return value_; }
-  /// Clamped to the range; typed text is given up. No signal.
+  /// Sets the value, clamped to the range; discards typed text. Emits no signal.
   void setValue(double value);
   void setRange(QuantityRange range);
   void setUnits(const DisplayUnits& units);
@@ -45,7 +45,7 @@ class QuantityField : public QAbstractSpinBox {
 
  signals:
   void valueChanged(double value);
-  /// `acceptable` may have changed.
+  /// The result of acceptable() may have changed.
   void refusalChanged();
 
  protected:
@@ -66,7 +66,7 @@ class QuantityField : public QAbstractSpinBox {
   DisplayUnits units_;
   QuantityRange range_;
   double value_ = 0;
-  double before_ = 0;  ///< when typing began
+  double before_ = 0;  ///< value when typing began
   QString lowestText_;
   QString refusal_;
   QString ownToolTip_;

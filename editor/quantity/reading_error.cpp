@@ -15,14 +15,14 @@ std::optional<ReadingError> readingErrorOf(const Button& button) {
   const auto force = forceUnitFrom(from->yAxis->unit);
   const double width = from->frame[2] - from->frame[0], height = from->frame[3] - from->frame[1];
   if (!length || !force || !(width > 0 && height > 0)) return {};
-  // Documents are rendered so that the frame is about so wide; of pictures the unit of the frame is the
-  // pixel.
+  // Documents are rendered with a frame of about this width; the unit of a picture's frame is its pixel.
   constexpr double renderedFrame_px = 1000;
   const QString file = QString::fromStdString(from->sourceFile).toLower();
   const bool rendered = file.endsWith(QLatin1String(".pdf")) || file.endsWith(QLatin1String(".svg"));
   const double pxPerUnit = rendered ? std::max(1.0, renderedFrame_px / width) : 1;
   const double fit_px = std::max(from->pressRms_px, from->releaseRms_px);
-  constexpr double leastShare = 1e-4;  // of the axis: no drawing is more exact, though its file may be
+  // share of the axis: no drawing is more accurate, even if its file has more digits
+  constexpr double leastShare = 1e-4;
   const auto error = [&](const AxisProvenance& axis, double unit, double size) {
     const double share = std::max(leastShare, std::hypot(fit_px, axis.residual_px) / (size * pxPerUnit));
     return share * std::abs(axis.max - axis.min) * unit;
@@ -33,8 +33,9 @@ std::optional<ReadingError> readingErrorOf(const Button& button) {
 
 QString readText(double value, Quantity quantity, const DisplayUnits& units,
                  const std::optional<ReadingError>& error, int significant) {
-  constexpr int mostTyped = 8;  // digits of a typed number at most; numbers read off a page have sixteen
-  constexpr int digitsOfReadSlope = 3;  // its error is some percent
+  // most digits of a typed number; numbers that were read from a page have sixteen
+  constexpr int mostTyped = 8;
+  constexpr int digitsOfReadSlope = 3;  // the error of a slope is some percent
   constexpr int mostDecimals = 6;
   const auto rounded = readQuantity(quantityText(value, quantity, units, mostTyped), quantity, units).value;
   const bool asTyped = rounded && std::abs(*rounded - value) <= 1e-12 * std::abs(value);

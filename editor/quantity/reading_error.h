@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// Standard error of what was read off a page.
+/// Standard errors of values that were read from a page.
 struct ReadingError {
   double mm, N;  ///< > 0
 };
@@ -19,8 +19,8 @@ struct ReadingError {
 /// plot frame. Empty for buttons that were not read off a page.
 std::optional<ReadingError> readingErrorOf(const Button& button);
 
-/// A value (mm, N, N/mm) in the shown unit, without the unit: with the digits that the error leaves, or those
-/// that were typed since, but at most `significant` ones.
+/// A value (mm, N, N/mm) in the shown unit, without that unit. It has as many digits as the error allows, or
+/// as were typed since, but at most `significant`.
 QString readText(double value, Quantity quantity, const DisplayUnits& units,
                  const std::optional<ReadingError>& error, int significant = 5);
 

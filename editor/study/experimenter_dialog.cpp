@@ -25,7 +25,7 @@ namespace detent::editor {
 
 namespace {
 
-constexpr double usualNoiseLevel = 0.1;  // rms, share of full scale; as `detent-play study run`
+constexpr double usualNoiseLevel = 0.1;  // rms, share of full scale; the same as in `detent-play study run`
 
 enum Column { idColumn, answeredColumn, kindColumn, notesColumn, columnCount };
 
@@ -53,7 +53,7 @@ QString kindWords(const playback::ParticipantRecord& record) {
   return QCoreApplication::translate("ExperimenterDialog", "SIMULATED");
 }
 
-/// "P01", "P02", ...: the first that nobody has.
+/// The first unused id: "P01", "P02", ...
 QString freeId(const std::vector<playback::ParticipantRecord>& records) {
   for (int i = 1;; ++i) {
     QString id = QStringLiteral("P%1").arg(i, 2, 10, QChar('0'));
@@ -300,7 +300,7 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
   work.force = settings.force.has_value();
   Result<std::unique_ptr<playback::StudyPlayer>> player = context_.open(*work.study, settings);
   if (!player) {
-    // A rehearsal is without sound, not without the force device.
+    // A rehearsal can run without sound, but not without the force device.
     if (player.failure().code != FailureCode::deviceTrouble || settings.force) return player.failure();
     tell(tr("%1 Or choose a rehearsal.").arg(studySentence(player.failure())));
     return Done{};
@@ -322,8 +322,8 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
   return Done{};
 }
 
-/// A participant who has agreed goes on at once; one who has not reads the consent first, and is in no
-/// journal until then.
+/// A participant who has agreed before starts at once. Any other one reads the consent first, and is entered
+/// in the journal only after agreeing.
 Result<Done> ExperimenterDialog::askOrOpen(const playback::ParticipantRecord& record, StudyWork& work) {
   if (!record.consent) {
     Result<playback::ConsentText> consent =
@@ -345,8 +345,8 @@ QScreen* ExperimenterDialog::participantScreen() const {
   return chosen < screens.size() ? screens[chosen] : QGuiApplication::primaryScreen();
 }
 
-/// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own
-/// the experimenter's view stays.
+/// Covers the whole of the participant's screen, so that nothing else of the program is visible. On a second
+/// screen the experimenter's view stays.
 void ExperimenterDialog::showStation(StudyWork work) {
   atWork_ = QString::fromStdString(work.participant);
   window_ = new StudyWindow(std::move(work));
@@ -363,7 +363,7 @@ void ExperimenterDialog::showStation(StudyWork work) {
   window_->showFullScreen();
   hidden_.hideAllBut(window_, theirScreen == screen() ? nullptr : this);
   window_->raise();
-  window_->activateWindow();  // the keys are the participant's at once
+  window_->activateWindow();  // so that the participant can use the keys at once
   window_->setFocus();
   progress_->setText(tr("%1 is answering.").arg(atWork_));
 }

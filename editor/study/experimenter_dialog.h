@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The experimenter's view of a study: its folder, how far everyone is, who is next. Participants see
-// study_window.h.
+// The experimenter's view of a study: its folder, everyone's progress, and the next participant. Participants
+// see study_window.h.
 
 #include <functional>
 #include <memory>
@@ -22,9 +22,9 @@
 
 namespace detent::editor {
 
-/// Access of the experimenter's view to devices and files; tests put their own in.
+/// Access of the experimenter's view to devices and files; tests replace it.
 struct StudyContext {
-  /// The open buttons, of which a new study can be made.
+  /// The open buttons, for making a new study.
   std::function<std::vector<ButtonDocument*>()> documents = [] { return std::vector<ButtonDocument*>{}; };
   /// Device profile of the feel panel; empty: none.
   std::function<QString()> profileFile = [] { return QString(); };
@@ -39,10 +39,10 @@ struct StudyContext {
       open = playback::StudyPlayer::start;
 };
 
-/// The windows of the program that a participant must not see. GUI thread.
+/// Hides the windows of the program that a participant must not see. GUI thread.
 class HiddenWindows {
  public:
-  /// Hides all that are open but these.
+  /// Hides all open windows except these two.
   void hideAllBut(const QWidget* shown, const QWidget* alsoShown);
   void bringBack();
 

@@ -23,7 +23,7 @@ Widget* large(Widget* widget, int points) {
 
 KeyedPage::KeyedPage(QWidget* parent) : QWidget(parent) {
   auto* inner = new QWidget;
-  inner->setMaximumWidth(mostWidth_px);  // in the middle, however wide the screen is
+  inner->setMaximumWidth(mostWidth_px);  // in the middle of a screen of any width
   auto* outer = new QHBoxLayout(this);
   outer->setContentsMargins(margin_px, margin_px, margin_px, margin_px);
   outer->addWidget(inner);
@@ -67,7 +67,7 @@ QPushButton* KeyedPage::made(const PageButton& button) {
   auto* widget = large(new QPushButton(text), button.points);
   widget->setObjectName(button.name);
   widget->setMinimumSize(widget->sizeHint().width() + keyedSpacing_px, button.height_px);
-  widget->setFocusPolicy(Qt::NoFocus);  // the keys belong to the page
+  widget->setFocusPolicy(Qt::NoFocus);  // the page handles the keys itself
   return widget;
 }
 

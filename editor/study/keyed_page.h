@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A page for participants: large plain texts and buttons, each with its key. A key and its button do the
-// same, because both come from one place.
+// A page for participants: large plain texts and buttons, each with its key. A key and its button always do
+// the same, because one function handles both.
 
 #include <functional>
 #include <QLabel>
@@ -15,7 +15,7 @@ namespace detent::editor {
 inline constexpr int largeText_pt = 22, plainText_pt = 15, smallText_pt = 12;
 inline constexpr int pressHeight_px = 110, answerHeight_px = 74, smallHeight_px = 44;
 
-/// A key, and how it is called on the button.
+/// A key, and its name on the button.
 struct PageKey {
   int key = 0;   ///< Qt::Key
   QString name;  ///< "A", "Enter"
@@ -24,7 +24,7 @@ struct PageKey {
 struct PageButton {
   const char* name;  ///< object name
   QString text;
-  PageKey key;  ///< 0: the mouse alone
+  PageKey key;  ///< 0: only the mouse
   int points = largeText_pt;
   int height_px = answerHeight_px;
 };
@@ -43,15 +43,15 @@ class KeyedPage : public QWidget {
   /// A button that acts when it is clicked; placed in the column, or by the caller.
   QPushButton* addButton(const PageButton& button, const std::function<void()>& act);
   QPushButton* makeButton(const PageButton& button, const std::function<void()>& act);
-  /// A pad that acts when it goes down, not when it comes up.
+  /// A pad that acts when it is pressed, not when it is released.
   QPushButton* makePad(const PageButton& button, const std::function<void()>& act);
-  /// A pad that acts when it goes down, and stays down while its button is the one being pressed.
+  /// A pad that acts when it is pressed, and is shown pressed while its stimulus is under the finger.
   QPushButton* makeFeelButton(const PageButton& button, const std::function<void()>& act);
 
   /// A text of any length: it can be moved with the arrows and the page keys.
   void addLongText(const char* name, const QString& text, int points);
 
-  /// Does what the button with that key does; false: no button has it.
+  /// Acts as the button with that key; returns false if no button has it.
   bool press(int key) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The language a participant reads, whatever the editor's is.
+// The participant's language, independent of the editor's.
 
 #include <QStringList>
 #include <QTranslator>
@@ -10,12 +10,12 @@ namespace detent::editor {
 /// Texts of one class in one language. GUI thread.
 class ParticipantLanguage {
  public:
-  /// "en", "de"; English where the program carries no such texts.
+  /// `code`: "en", "de". English if the program has no texts in this language.
   explicit ParticipantLanguage(const QString& code);
   const QString& code() const { return code_; }
   QString words(const char* text) const;
 
-  /// Codes that the program carries, English first.
+  /// Codes of the available languages, English first.
   static QStringList carried();
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Common parts of every question's page: the question, faults, the number of questions, and the ways out of
-// it.
+// Common parts of every question's page: the question, faults, the number of the question, and the buttons
+// for pausing and leaving.
 
 #include "editor/study/keyed_page.h"
 
@@ -16,13 +16,13 @@ class QuestionPage : public KeyedPage {
 
   void showQuestion(const QString& text) { question_->setText(text); }
   void showCount(const QString& text) { count_->setText(text); }
-  /// Empty: nothing is wrong.
+  /// Shows a fault; empty: none.
   void showTrouble(const QString& text);
-  /// Buttons beside the count, below the question.
+  /// Adds a widget beside the count, below the question.
   void addBelow(QWidget* widget) { bottom_->addWidget(widget); }
 
  protected:
-  /// The count's row; after everything else of the page.
+  /// Adds the row with the count; call it after everything else of the page was added.
   void addBottom();
 
  private:

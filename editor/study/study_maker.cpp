@@ -23,11 +23,12 @@ namespace detent::editor {
 namespace {
 
 constexpr std::size_t usualPractice = 4;
-constexpr double question_s = 12;  // a rough guess, so that nobody plans three hours by mistake
-constexpr double timed_s = 3;      // seconds for a trial with a cue or a window
+// rough estimate per question, so that nobody plans three hours by mistake
+constexpr double question_s = 12;
+constexpr double timed_s = 3;  // seconds for a trial with a cue or a window
 constexpr double restOfRun_s = 5;
 
-/// A name of a file that no other button has.
+/// A name for a button's file that no other button has.
 QString labelOf(const QString& title, QSet<QString>& taken) {
   QString label = title.trimmed();
   label.replace('/', '-').replace('\\', '-');
@@ -54,7 +55,7 @@ QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
   return box;
 }
 
-/// "0.6; 0.8; 1": unreadable numbers become 0, which no design accepts.
+/// Numbers of a list such as "0.6; 0.8; 1". Unreadable ones become 0, which no design accepts.
 std::vector<double> numbersIn(const QString& text) {
   std::vector<double> numbers;
   for (const QString& part : text.split(';', Qt::SkipEmptyParts))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A new study of the open buttons.
+// Makes a new study of the open buttons.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -18,7 +18,7 @@
 
 namespace detent::editor {
 
-/// Asks for task, length and folder; takes the buttons as they are shown now, saved or not. GUI thread.
+/// Asks for task, length and folder. Uses the buttons as they are now, saved or not. GUI thread.
 class StudyMaker : public QDialog {
   Q_OBJECT
 
@@ -53,7 +53,7 @@ class StudyMaker : public QDialog {
   std::vector<std::size_t> chosen() const;
   void showLength();
   void make();
-  /// Writes the chosen buttons and makes the study of them.
+  /// Writes the chosen buttons to `filesFolder` and makes a study of them.
   Result<playback::Study> makeFrom(const QString& filesFolder) const;
 
   std::vector<Button> buttons_;

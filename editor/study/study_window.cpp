@@ -245,7 +245,7 @@ QString StudyWindow::howWords() const {
                       : words("Press its key or click it to feel it under your finger.");
 }
 
-/// Words for the stimuli that were not pressed through yet, and for those released too early.
+/// Text about stimuli that were not pressed completely yet, or were released too early.
 QString StudyWindow::unfeltWords() const {
   if (controller_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
   QStringList missing;
@@ -310,7 +310,8 @@ void StudyWindow::showIntroduction() {
   showWords(text, At::words);
 }
 
-/// After an answer follow words before the first one that counts, a rest, the next question, or the end.
+/// Shows the next page after an answer: words before the first question that counts, a rest, the next
+/// question, or the end.
 void StudyWindow::showNext() {
   const playback::Trial* trial = work_.session->trial();
   if (trial == nullptr) return showEnd(words("That was the last one. Thank you."));
@@ -370,7 +371,7 @@ void StudyWindow::refresh() {
   trial_->showQuestion(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(ask, howWords()));
 }
 
-/// Puts a stimulus under the finger, and books presses so far to the one before.
+/// Puts a stimulus under the finger, and counts the presses so far for the previous one.
 void StudyWindow::feel(std::size_t slot) {
   if (!controller_ || away_ || (slot == controller_->slotOfX() && !controller_->hasX())) return;
   controller_->felt(work_.player->takeFelt());
@@ -400,7 +401,7 @@ void StudyWindow::answer(std::size_t choice, std::optional<double> rating) {
 
 void StudyWindow::tell(const QString& trouble) { question_->showTrouble(trouble); }
 
-/// Felt stimuli stay; a running timing is over.
+/// Stimuli that were felt stay felt; a running timed trial ends.
 void StudyWindow::askToStop() {
   if (timed_ != nullptr) timed_->leave();
   show(stop_, At::question);
@@ -437,7 +438,7 @@ void StudyWindow::showEnd(const QString& text) {
 /// An interrupted stimulus is repeated, once the device is back.
 void StudyWindow::watchDevice() {
   if (!controller_) {
-    if (!timed_) work_.player->takeFelt();  // nothing piles up between questions
+    if (!timed_) work_.player->takeFelt();  // discards presses, so that none accumulate between questions
     return;
   }
   controller_->felt(work_.player->takeFelt());

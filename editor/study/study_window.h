@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The participant's station: consent, instructions, one question at a time, rests, the end. Large plain
-// controls, each with its key, in the participant's language; no label of any button. The experimenter's view
+// controls, each with its key, in the participant's language, and no button's name. The experimenter's view
 // is experimenter_dialog.h.
 
 #include <memory>
@@ -18,17 +18,18 @@
 
 namespace detent::editor {
 
-/// One participant at work. The session, once it is open, belongs to the study.
+/// Data for one participant's session. An open session belongs to the study.
 struct StudyWork {
   std::unique_ptr<playback::Study> study;
   std::string participant;
-  playback::SessionStart start;  ///< the session is opened with it once the participant agrees
-  /// Text of the consent; none: they have agreed before.
+  playback::SessionStart start;  ///< the session is opened with this after the participant has agreed
+  /// Text of the consent; empty if the participant has agreed before.
   std::optional<playback::ConsentText> consent;
   std::unique_ptr<playback::StudyPlayer> player;
-  bool sensor = false;  ///< a force sensor or a force device presses; else keys and the large buttons do
+  /// true: a force sensor or a force device presses; false: keys and the large buttons
+  bool sensor = false;
   bool force =
-      false;  ///< a force device does: Escape takes its force away, the experimenter's F9 brings it back
+      false;  ///< true: a force device presses; Escape removes its force, the experimenter's F9 restores it
   QString language = QStringLiteral("en");
   std::unique_ptr<playback::ParticipantSession> session{};  ///< open already if no consent is needed
 };
@@ -50,7 +51,7 @@ class StudyWindow : public QWidget {
 
  signals:
   void progressed(const StudyProgress& progress);
-  void finished();  ///< the experimenter has it again; the window is about to close
+  void finished();  ///< the participant has finished; the window is about to close
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -106,13 +107,13 @@ class StudyWindow : public QWidget {
   QStackedWidget* pages_ = nullptr;
   KeyedPage *consent_ = nullptr, *said_ = nullptr, *paused_ = nullptr, *stop_ = nullptr, *end_ = nullptr;
   QuestionPage* question_ = nullptr;  ///< trial_ or timing_
-  TrialPage* trial_ = nullptr;        ///< null: of a timing study
+  TrialPage* trial_ = nullptr;        ///< null in a timing study
   TimingPage* timing_ = nullptr;      ///< page of a timing study; null in other studies
   TimedTrials* timed_ = nullptr;      ///< with timing_
   QLabel *saidText_ = nullptr, *endText_ = nullptr, *consentTrouble_ = nullptr;
-  std::size_t restedBefore_ = 0;  ///< number of the trial a rest or words were shown before
+  std::size_t restedBefore_ = 0;  ///< number of the trial before which a rest or words were shown
   At at_ = At::consent;
-  bool away_ = false;  ///< a device, just now
+  bool away_ = false;  ///< a device is missing at the moment
   QElapsedTimer clock_;
   QTimer watch_;
 };

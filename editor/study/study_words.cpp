@@ -11,7 +11,7 @@ namespace detent::editor {
 
 namespace {
 
-/// The field that asks for the same as an option of the program: its label, and the class whose text it is.
+/// The field that corresponds to an option of the program: its label, and the class that contains that text.
 struct Field {
   const char* option;
   const char* context;
@@ -66,7 +66,7 @@ QString studySentence(Failure failure) {
     field.remove('&');
     if (field.endsWith(':')) field.chop(1);
     failure.subject = Subject(field.toStdString());
-    if (option == "--simulate") failure.remedies = {};  // spelled as at the command line
+    if (option == "--simulate") failure.remedies = {};  // its remedies are written for the command line
   }
   return sentenceOf(failure);
 }

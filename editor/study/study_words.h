@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Failures of a study as its windows say them.
+// Failures of a study in the words of its windows.
 
 #include <QString>
 
@@ -8,7 +8,7 @@
 
 namespace detent::editor {
 
-/// sentenceOf(), with the field of the window in place of the program's option.
+/// As sentenceOf(), with the name of the window's field instead of the program's option.
 QString studySentence(Failure failure);
 
 }  // namespace detent::editor

@@ -13,14 +13,15 @@ namespace detent::editor {
 
 namespace {
 
-constexpr int frame_ms = 4;     // presses are taken no later; shorter than any screen's frame
-constexpr int padDown_ms = 80;  // a key shows on the pad for so long
-/// Window systems count in ms, some by a clock that itself ticks in ms.
+// longest delay until presses are handled; shorter than any screen's frame
+constexpr int frame_ms = 4;
+constexpr int padDown_ms = 80;  // duration for which a key is shown on the pad
+/// Window systems count in ms, and the clocks of some tick only once per ms.
 constexpr double stampStep_s = 0.002;
-constexpr double oldestStamp_s = 0.2;  // a stamp of another clock is not taken for one of this
+constexpr double oldestStamp_s = 0.2;  // an older stamp belongs to another clock
 
-/// How long ago an event came, by its stamp; none where that is not of the steady clock (X11 and Wayland
-/// stamp input by it).
+/// Age of an event by its stamp; empty if the stamp is not of the steady clock, with which X11 and Wayland
+/// stamp input.
 std::optional<double> ageOf(quint64 stamp_ms) {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   const double now_ms = std::chrono::duration<double, std::milli>(now).count();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Timed trials in a participant's window, one after the other: playback's TimedRun with a page in front of
-// it.
+// Timed trials in a participant's window, one after the other: connects playback's TimedRun with a page.
 
 #include <optional>
 #include <QObject>
@@ -22,8 +21,8 @@ struct TimedWords {
   QString notKept;  ///< %1: why
 };
 
-/// Presses are timed by the stamp that the window system gives them, in ms of the system's steady clock;
-/// where it gives none, by when they reached this window. How late a stamp may be is watched while a trial is
+/// A press gets the time that the window system stamped, in ms of the system's steady clock. Without a stamp
+/// it gets the time at which it reached this window. The lateness of stamps is measured while a trial is
 /// shown. GUI thread.
 class TimedTrials : public QObject {
   Q_OBJECT
@@ -36,19 +35,19 @@ class TimedTrials : public QObject {
   TimedTrials(const playback::Study& study, playback::StudyPlayer& player, TimingPage* page, TimedWords words,
               QObject* parent = nullptr);
 
-  /// The trial that comes next begins.
+  /// Begins the next trial of a session.
   void show(playback::ParticipantSession& session);
   /// Hides the trial and forgets its presses.
   void leave();
-  /// The event that is about to press the pad.
+  /// Notes the time of the event that is about to press the pad.
   void note(const QInputEvent& event);
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  signals:
-  void kept();                                ///< on the disk; the next one is not shown yet
-  void away(playback::StudyTrouble trouble);  ///< in the journal
-  void back();                                ///< the device is there again: nothing is shown yet
+  void kept();                                ///< The trial is on the disk; the next one is not shown yet.
+  void away(playback::StudyTrouble trouble);  ///< A device is missing; noted in the journal.
+  void back();                                ///< The device is back; nothing is shown yet.
   void failed(const QString& trouble);        ///< the journal cannot be written
 
  private:
@@ -66,10 +65,10 @@ class TimedTrials : public QObject {
   std::optional<playback::TimedRun> run_;
   bool away_ = false;
   const double began_s_;
-  double looked_s_;                  ///< when this thread last came to its events
-  std::optional<quint64> stamp_ms_;  ///< of the event that presses
+  double looked_s_;                  ///< time at which this thread last handled events
+  std::optional<quint64> stamp_ms_;  ///< stamp of the event that presses
   QTimer frame_;
-  std::optional<WakeWatch> wakes_;  ///< while a trial is shown that keys press
+  std::optional<WakeWatch> wakes_;  ///< exists while a trial is shown that keys press
 };
 
 }  // namespace detent::editor

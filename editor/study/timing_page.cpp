@@ -11,7 +11,7 @@ namespace {
 
 constexpr int pictureHeight_px = 180, line_px = 4;
 constexpr double beatRadius_px = 26, cueRadius_px = 44, ballRadius_px = 18;
-constexpr double windowAt = 0.7;  // of the width: where the ball comes into its window
+constexpr double windowAt = 0.7;  // share of the width at which the ball enters its window
 constexpr double barHeight_px = 40;
 
 }  // namespace
@@ -50,7 +50,7 @@ void TimingPicture::paintBeats(QPainter& painter) const {
   }
 }
 
-/// The middle of the ball counts: it is within the bars as long as the window is open.
+/// The ball's middle counts: it is between the bars while the window is open.
 void TimingPicture::paintWay(QPainter& painter) const {
   const double from_px = ballRadius_px + line_px, way_px = windowAt * width() - from_px,
                middle_px = height() / 2.0;

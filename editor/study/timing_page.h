@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A timed question as a participant sees it: beats, a ball that runs into its window, or the time that is
-// left; and a large pad. It knows no label of any button.
+// A timed question as a participant sees it: beats, a ball that runs into its window, or the remaining time;
+// and a large pad. It shows no button's name.
 
 #include "editor/study/question_page.h"
 #include "playback/study.h"
@@ -19,8 +19,8 @@ struct TimingView {
   playback::TimingTask task = playback::TimingTask::cue;
   std::size_t beats = 0, beatsCome = 0;  ///< cue
   double way = 0,
-         windowShare =
-             0;  ///< window: TimingController::wayAt, and how long the window is beside the way to it
+         /// for a window: TimingController::wayAt, and the length of the window relative to the way to it
+      windowShare = 0;
   double left_s = 0, run_s = 1;  ///< tapping
 
   bool operator==(const TimingView&) const = default;
@@ -50,17 +50,17 @@ class TimingPage : public QuestionPage {
   Q_OBJECT
 
  public:
-  /// `padded`: keys and the pad press; otherwise a sensor does, and no pad is shown.
+  /// `padded`: keys and the pad press. Otherwise a sensor presses, and no pad is shown.
   TimingPage(const TimingWords& words, bool padded, QWidget* parent = nullptr);
 
   TimingPicture* picture() const { return picture_; }
-  /// Null where a sensor presses.
+  /// Null if a sensor presses.
   QPushButton* pad() const { return pad_; }
   /// Result of the previous trial: "hit".
   void showResult(const QString& text) { result_->setText(text); }
 
  signals:
-  void pressed();  ///< the pad, or its key
+  void pressed();  ///< The pad or its key was pressed.
 
  private:
   TimingPicture* picture_;

@@ -11,7 +11,7 @@ namespace {
 constexpr int mostColumns = 5, padColumns = 3, longestNumber = 9, trialSpacing_px = 18;
 constexpr std::size_t mostKeys = 9;
 
-/// "1" for the first; more than nine have no key.
+/// Key of the i-th button: "1" for the first; none after the ninth.
 PageKey digitKey(std::size_t i) {
   if (i >= mostKeys) return {};
   return {Qt::Key_1 + static_cast<int>(i), QString::number(i + 1)};
@@ -78,7 +78,7 @@ void TrialPage::addScale(const TrialWords& words) {
   auto* row = new QHBoxLayout;
   for (int i = 1; i <= static_cast<int>(playback::bestPreference); ++i) {
     const QByteArray name = QByteArray("studyAnswer") + QByteArray::number(i);
-    // The number is the key.
+    // The number itself is the key.
     auto* answer = makeButton({name, QString::number(i), {Qt::Key_0 + i, {}}, largeText_pt, pressHeight_px},
                               [this, i] { emit rated(i); });
     row->addWidget(answer);

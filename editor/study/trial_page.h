@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One question as a participant sees it: buttons to feel and answers to choose from, for each kind of study.
-// It knows no label of any button.
+// It shows no button's name.
 
 #include <optional>
 
@@ -15,7 +15,7 @@ namespace detent::editor {
 struct TrialWords {
   QString feelX, feelOne, feelIt;  ///< "Feel X", "Feel %1", "Feel it"
   QString answer;                  ///< "X is %1", "%1 is better"
-  QStringList answers{};           ///< of each choice, in place of answer
+  QStringList answers{};           ///< answer for each choice, instead of `answer`
   QString space, enter, backspace, takeBack, take;
   QString least, most;  ///< ends of the scale 1 to 7
 };
@@ -27,13 +27,13 @@ class TrialPage : public QuestionPage {
  public:
   TrialPage(const playback::Study& study, const TrialWords& words, QWidget* parent = nullptr);
 
-  /// X is a real switch that is handed over.
+  /// Says that X is a real switch, which the experimenter hands over.
   void showRealX(const QString& text) { x_->setText(text); }
   void allowAnswers(bool allowed);
   bool answersAllowed() const;
   /// Marks the stimulus under the finger; empty: none.
   void mark(std::optional<std::size_t> slot);
-  /// A number that was begun is gone.
+  /// Discards a number of which the first digits were typed.
   void clearNumber();
 
  signals:

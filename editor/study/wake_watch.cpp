@@ -25,7 +25,8 @@ WakeWatch::~WakeWatch() {
 }
 
 double WakeWatch::latest_s() const {
-  const double due_s = due_s_;  // first: the lateness of a waking that has come stands beside it by then
+  // read first: when a due wake-up has happened, its lateness is stored before this value changes
+  const double due_s = due_s_;
   return std::max(latest_s_.load(), now_s() - due_s);
 }
 

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Measures the lateness with which this machine wakes a waiting program.
+// Measures how late this machine wakes a waiting program.
 
 #include <atomic>
 #include <thread>
 
 namespace detent::editor {
 
-/// Asks to be woken every millisecond, on a thread of its own. What stamps an event waits for it in the same
-/// way: this is as late as a stamp may be, as far as a program can know.
+/// A thread that asks to be woken every millisecond and measures the delay. The window system waits for input
+/// in the same way before it stamps an event, so the largest delay is an estimate of how late a stamp may be.
 class WakeWatch {
  public:
   WakeWatch();
   WakeWatch(const WakeWatch&) = delete;
   WakeWatch& operator=(const WakeWatch&) = delete;
-  /// Waits for the thread: a millisecond.
+  /// Waits up to a millisecond for the thread.
   ~WakeWatch();
 
-  /// The latest so far, also while a waking is still due. Any thread.
+  /// Largest delay so far, including that of a wake-up that is still due. Any thread.
   double latest_s() const;
 
  private:

@@ -12,7 +12,7 @@ namespace detent::editor {
 namespace {
 
 constexpr double addingReach_px = 24;  // a wide reach, because a curve is the target, not a point
-// A jump by a click: an eighth of the travel wide, a fifth of its tactile force deep.
+// Size of a jump that a click adds: an eighth of the travel wide, a fifth of its tactile force deep.
 constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::AddKnotTool", text); }

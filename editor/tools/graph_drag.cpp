@@ -12,9 +12,9 @@
 namespace detent::editor {
 namespace {
 
-constexpr int limitSteps = 14;  // halvings: a 16,000th of the way, less than a pixel
+constexpr int limitSteps = 14;  // halvings of the way: a 16,000th of it is less than a pixel
 constexpr double clearance_px =
-    4;  // px before the limit, so that a flank does not become a step, nor a point a corner
+    4;  // distance kept from the limit, px, so that a flank does not become a step, nor a point a corner
 
 QString dragHint() {
   return QCoreApplication::translate("GraphDrag", "Shift: one axis, Ctrl: no snapping, Esc: cancel");
@@ -103,15 +103,16 @@ CurvePoint GraphDrag::farthest(CurvePoint from, CurvePoint to) const {
     const double middle = 0.5 * (allowed + refused);
     (edited(at(middle)) ? allowed : refused) = middle;
   }
-  if (task_->mark && isContact(task_->mark->kind)) return at(allowed);  // a contact deforms nothing
+  // a contact moves without changing the curve
+  if (task_->mark && isContact(task_->mark->kind)) return at(allowed);
   const PlotMapping map = canvas_.mapping();
   const double way_px = std::hypot((to.displacement_mm - from.displacement_mm) * map.pxPerX,
                                    (to.force_N - from.force_N) * map.pxPerY);
   return at(std::max(0.0, allowed - clearance_px / std::max(way_px, clearance_px)));
 }
 
-// Straight from the start of the drag to the pointer, then along each axis, so that the result depends on the
-// pointer alone.
+// Tries the straight line from the start of the drag to the pointer, then each axis, so that the result
+// depends only on the pointer's position.
 void GraphDrag::stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedback& feedback) {
   CurvePoint limit = farthest(task_->from, wanted);
   limit = farthest(limit, {wanted.displacement_mm, limit.force_N});

@@ -25,7 +25,7 @@ struct DragTask {
   Edit edit;
 };
 
-/// GUI thread. `say` receives the sentence of a refusal, and an empty one when it ends.
+/// GUI thread. `say` receives the sentence of a refusal, and an empty text when the refusal ends.
 class GraphDrag {
  public:
   GraphDrag(ButtonDocument& document, GraphCanvas& canvas, std::function<void(const QString&)> say);

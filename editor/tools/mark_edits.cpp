@@ -74,9 +74,9 @@ bool bend(std::array<BentSlope, 2>& slopes, double by_N) {
   return std::abs(by_N) <= bendRounding_N;
 }
 
-// Bends the segment between two knots so that it passes `by_N` higher at a displacement, at a knot in the
-// middle of the segment beside it; the knots stay, and so does everything outside. A segment that only rises
-// or only falls does so afterwards, too.
+// Bends the segment between two knots so that its force at a displacement grows by `by_N`. At a knot, the
+// point in the middle of the adjacent segment is taken. The knots and everything outside the segment stay. A
+// segment that only rises or only falls still does so afterwards.
 Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double by_N) {
   std::vector<Knot> knots = curve.knots();
   std::size_t right = 1;
@@ -92,7 +92,8 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   // the grabbed point lies on a knot, as the middle of a section may
   if (!(share > 0 && share < 1)) share = 0.5;
   const double chord = (to.force_N - from.force_N) / width_mm;
-  constexpr double steepest = 3;  // times the chord: up to there a cubic stays monotone (Fritsch and Carlson)
+  // times the chord's slope: up to this ratio a cubic stays monotone (Fritsch and Carlson)
+  constexpr double steepest = 3;
   const bool monotone = !turnsWithin(curve, from.displacement_mm, to.displacement_mm);
   const double free = std::numeric_limits<double>::max();
   const auto range = [&](double slope, double weight) {

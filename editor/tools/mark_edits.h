@@ -11,14 +11,14 @@ namespace detent::editor {
 
 /// Sides of a knot that a slope handle changes.
 enum class SlopeSides {
-  asItIs,  ///< both of a smooth knot, one of a corner
+  asItIs,  ///< both sides of a smooth knot, one side of a corner
   one      ///< the handle's own; a smooth knot becomes a corner
 };
 
-/// Moves a mark to another place. Knots, tactile points and turns go there; of a section, the segment at
-/// `mark.at` is bent between its two knots by the difference of force; operating and reset points take the
-/// displacement; a slope handle's knot gets the slope towards `to`, which must lie on the handle's side.
-/// Failures: as in model/edits.h.
+/// Moves a mark to another place. Knots, tactile points and turns move there. The segment of a section at
+/// `mark.at` is bent between its two knots until it passes the force of `to`. Operating and reset points take
+/// the displacement. The knot of a slope handle gets the slope towards `to`, which must lie on the handle's
+/// side. Failures: as in model/edits.h.
 Result<Button> moveMark(const Button& button, std::size_t state, const Mark& mark, CurvePoint to,
                         SlopeSides sides = SlopeSides::asItIs);
 

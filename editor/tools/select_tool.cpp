@@ -29,7 +29,7 @@ std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input
       if (canvas.isSelected(mark.id)) return mark;
     return marks.front();
   }
-  // A mark that another edit took away keeps its label until the next drawing.
+  // A mark that another edit removed keeps its label until the next drawing.
   if (const auto flag = canvas.flagAt(input.at_px))
     if (const auto at = placeOf(*flag, canvas.state(), canvas.values())) return Mark{*flag, *at};
   const auto hit = curveAt(canvas, input.at_px);
@@ -39,7 +39,7 @@ std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input
   return Mark{{MarkKind::section, hit->stroke, *section}, hit->at};
 }
 
-// Back at its start a drag leaves no knot that an edit on the way would have added.
+// Returns true if a drag is back at its start, so that a knot added on the way is dropped again.
 bool isBack(CurvePoint from, CurvePoint to) {
   constexpr double rounding = 1e-12;  // mm, N
   return std::abs(to.displacement_mm - from.displacement_mm) <= rounding &&

@@ -117,7 +117,8 @@ std::vector<MarkId> allPoints(const ButtonState& state) {
 
 Result<Button> moveSelection(const Button& button, std::size_t state, const std::vector<MarkId>& marks,
                              double by_mm, double by_N) {
-  // Contacts might leave a travel that grows only afterwards, or lie outside one that shrank.
+  // Contacts are removed first and set again last: they could lie outside a travel that shrinks, or that
+  // grows only later.
   auto bare = editContacts(button, state, marks, [](double) { return std::optional<double>(); });
   if (!bare) return bare;
   auto moved =

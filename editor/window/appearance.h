@@ -19,8 +19,8 @@ QPalette darkPalette();
 /// The caller owns it.
 QStyle* outlinedStyle();
 
-/// The palette for a choice; `system` is what the desktop gave the program at its start: whether it is dark
-/// decides, its colours are not taken over.
+/// The palette for a choice. `system`: the palette that the desktop gave the program at its start; only
+/// whether it is dark matters, its colours are not used.
 QPalette paletteFor(Appearance appearance, const QPalette& system);
 
 }  // namespace detent::editor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Environment of the window's controllers: the tabs, the disk's folders, the person's answers.
+// Environment of the window's controllers: the tabs, folders on the disk, and the user's answers.
 
 #include <QDir>
 #include <QFileInfo>
@@ -36,7 +36,7 @@ struct ControllerContext {
   }
 };
 
-/// A path as the person's system writes it.
+/// A path in the notation of the user's system.
 inline QString shownPath(const QString& path) { return QDir::toNativeSeparators(path); }
 
 }  // namespace detent::editor

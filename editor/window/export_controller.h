@@ -11,7 +11,7 @@ namespace detent::editor {
 
 class ComparePanel;
 
-/// Asks where, writes whole files, says troubles in the tab. GUI thread.
+/// Asks for the path, writes whole files, and shows problems in the tab. GUI thread.
 class ExportController : public QObject {
   Q_OBJECT
 
@@ -22,15 +22,15 @@ class ExportController : public QObject {
   /// CSV with decimal commas, and semicolons between the fields.
   void csvAt(DocumentTab& tab);
   void semicolonCsv(DocumentTab& tab);
-  /// The graph for printing; a dialogue requests the settings.
+  /// Exports the graph for printing, with the settings of a dialogue.
   void graph(DocumentTab& tab);
   void png(DocumentTab& tab);
-  /// The comparison's plot; `tab` has the place to say what went wrong.
+  /// Exports the comparison's plot; problems are shown in `tab`.
   void comparison(DocumentTab& tab, const ComparePanel& comparison);
   void wav(DocumentTab& tab);
   /// A folder of tables with their description.
   void dataPackage(DocumentTab& tab);
-  /// The state shown, for those who go on in WebPlotDigitizer.
+  /// Exports the shown state for WebPlotDigitizer.
   void tracedProject(DocumentTab& tab);
   /// The button as a web page anyone can press.
   void page(DocumentTab& tab);
@@ -45,7 +45,7 @@ class ExportController : public QObject {
   void done(const QString& sentence);
 
  private:
-  /// `ending` is for a name without one; a folder's has no dot and stays away.
+  /// `ending` is added to a name without one. A folder has no ending.
   void write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
              const std::function<Result<Done>(const QString&)>& writeTo);
 

@@ -53,7 +53,7 @@ void FileController::connectTabs() {
   connect(&at_.tabs, &TabArea::tabAdded, this, [this](DocumentTab* tab) {
     at_.recovery.watch(tab->document());
     marks_.watch(tab->document());
-    sayOtherEditor(*tab);  // it is no tab of the area yet when the mark is found
+    sayOtherEditor(*tab);  // called here because the mark is found before the tab is in the area
     sheets_.attend(tab->document());
   });
   connect(&at_.tabs, &TabArea::tabClosing, this, [this](DocumentTab* tab) {
@@ -238,7 +238,7 @@ bool FileController::save(DocumentTab& tab) {
 }
 
 bool FileController::saveAs(DocumentTab& tab) {
-  at_.tabs.show(tab.document());  // the person sees what is being named
+  at_.tabs.show(tab.document());  // shows the button that is being named
   const QString now = tab.document().path();
   const QString suggested = now.isEmpty() ? suggestedPath(tab.document(), at_.folder(), ".button.json") : now;
   const QString chosen =

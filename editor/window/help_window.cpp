@@ -158,7 +158,7 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent) : QDialog(paren
   connect(start, &QPushButton::clicked, pages, [pages, first] { pages->setSource(first); });
   connect(search, &QLineEdit::returnPressed, pages, [pages, search] {
     if (pages->find(search->text())) return;
-    pages->moveCursor(QTextCursor::Start);  // on from the top
+    pages->moveCursor(QTextCursor::Start);  // the search continues from the top
     pages->find(search->text());
   });
   auto* row = new QHBoxLayout;

@@ -136,7 +136,7 @@ MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
   showTab(nullptr);
 }
 
-// Closes the documents first, in the usual way, so that panels, recovery and file watch release them.
+// Closes the documents first, as the user would, so that panels, recovery and file watch release them.
 MainWindow::~MainWindow() {
   sessionHeld_ = true;
   for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
@@ -281,7 +281,7 @@ void MainWindow::makeDocks() {
   inspectorDock_->raise();
   valuesDock_->hide();
   frontDock_ = inspectorDock_;
-  // Brought to the front, it has what the page says in words.
+  // The panel shows the page's printed values when it comes to the front.
   connect(checksDock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
     if (!seen) return;
     if (DocumentTab* tab = tabs_->current()) tab->document().wantOrigin();
@@ -403,7 +403,7 @@ void MainWindow::connectTabs() {
 
 void MainWindow::adopt(DocumentTab& tab) {
   sessionHeld_ = false;
-  if (view_ == CentreView::compare) showView(CentreView::edit);  // an opened button is to be seen
+  if (view_ == CentreView::compare) showView(CentreView::edit);  // an opened button must be visible
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
   connect(&tab.workspace(), &GraphWorkspace::buttonCopyRequested, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
@@ -777,7 +777,7 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   storeWindow();
   storeSession();
-  sessionHeld_ = true;  // the tabs that close now belong to the stored session
+  sessionHeld_ = true;  // the tabs that are closed now belong to the stored session
   if (!files_->closeAll()) {
     sessionHeld_ = false;
     return event->ignore();

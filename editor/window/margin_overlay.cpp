@@ -39,14 +39,14 @@ void paintStretch(QPainter& painter, const QPolygonF& line, Ease ease, const Gra
   painter.setPen(QPen(bandColor(ease, colors), band_px, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
   painter.drawPolyline(line);
   if (ease != Ease::over) return;
-  // Not by colour alone.
+  // Hatched, so that the colour is not the only sign.
   QPen hatch(colors.refused, band_px, Qt::CustomDashLine, Qt::FlatCap, Qt::BevelJoin);
   hatch.setDashPattern({1.2 / band_px, hatch_px / band_px});
   painter.setPen(hatch);
   painter.drawPolyline(line);
 }
 
-/// One curve in stretches of equal ease.
+/// Draws one curve in stretches of equal margin.
 void paintCurveBand(QPainter& painter, const PlotMapping& map, const StrokeCurve& curve,
                     const std::vector<playback::MarginPoint>& points, const GraphColors& colors) {
   if (points.size() < 2) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The stability margin of a force device, laid over the curves it is about. On the screen only: pictures for
-// others go without.
+// The stability margin of a force device, drawn over the curves. Shown only on the screen, not in exported
+// pictures.
 
 #include <memory>
 #include <QWidget>
@@ -11,9 +11,9 @@
 
 namespace detent::editor {
 
-/// A broad band along both curves of the state that is shown: green where the device bears the slope easily,
-/// amber where it is near what it bears, red and hatched where it is more; the steepest places carry their
-/// numbers. Lies over the canvas, which owns it, and lets the mouse through. GUI thread.
+/// A broad band along both curves of the shown state: green where the device renders the slope easily, amber
+/// near its limit, red and hatched beyond it. The steepest places have their values as labels. Drawn over the
+/// canvas, which owns it; ignores the mouse. GUI thread.
 class MarginOverlay : public QWidget {
   Q_OBJECT
 

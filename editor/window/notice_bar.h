@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Messages that stand where they belong and wait, instead of a box that stops the work.
+// Messages beside the part of the window that they concern. They do not stop the work, as a dialogue would.
 
 #include <functional>
 #include <QFrame>
@@ -9,14 +9,14 @@
 
 namespace detent::editor {
 
-/// A column of notices above what they are about; not there when there are none. GUI thread.
+/// A column of notices above the widget that they concern; hidden without notices. GUI thread.
 class NoticeBar : public QWidget {
   Q_OBJECT
 
  public:
   enum class Kind { information, trouble };
 
-  /// A button of a notice; the notice goes when it is pressed.
+  /// A button of a notice; pressing it removes the notice.
   struct Choice {
     QString objectName;
     QString text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The questions that stop the work, in one place, so that tests can answer them.
+// The questions that block the window, in one place, so that tests can answer them.
 
 #include <optional>
 #include <QStringList>
@@ -17,7 +17,7 @@ namespace detent::editor {
 
 enum class SaveChoice { save, discard, cancel };
 
-/// Asks a person; every function opens one modal dialogue. GUI thread.
+/// Asks the user; every function opens one modal dialogue. GUI thread.
 class Prompts {
  public:
   Prompts() = default;
@@ -25,29 +25,29 @@ class Prompts {
   Prompts(const Prompts&) = delete;
   Prompts& operator=(const Prompts&) = delete;
 
-  /// These have unsaved changes and are about to be closed.
+  /// Asks about the unsaved changes of buttons that are about to be closed.
   virtual SaveChoice unsaved(QWidget* parent, const QStringList& titles);
-  /// Empty: cancelled. `filters` as QFileDialog has them.
+  /// `filters` as QFileDialog takes them; an empty result: cancelled.
   virtual QStringList filesToOpen(QWidget* parent, const QString& title, const QString& folder,
                                   const QStringList& filters);
   virtual QString folder(QWidget* parent, const QString& title, const QString& at);
   virtual QString fileToSave(QWidget* parent, const QString& title, const QString& suggested,
                              const QString& filter);
-  /// Something that cannot be taken back; `act` is the text of the button that does it.
+  /// Asks before an action that cannot be undone; `act` is the text of its button.
   virtual bool confirm(QWidget* parent, const QString& question, const QString& act);
-  /// The button to start from.
+  /// Asks for the button to start from.
   virtual std::optional<Button> newButton(QWidget* parent);
   /// Requests the device for which a press of the button is written.
   virtual std::optional<DeviceChoice> deviceExport(QWidget* parent, const Button& button);
-  /// Format of the button's graph.
+  /// Asks for the settings of the graph's picture.
   virtual std::optional<GraphExport> graphExport(QWidget* parent, const Button& button,
                                                  const DisplayUnits& units);
-  /// C header with the settings of a magnetic keyboard's key.
+  /// Asks for the settings of a magnetic keyboard's key; returns the C header.
   virtual std::optional<std::string> magneticKey(QWidget* parent, const Button& button,
                                                  const DisplayUnits& units);
   /// Requests the printer; false: cancelled.
   virtual bool printer(QWidget* parent, QPrinter& printer);
-  /// A text, changed or not; nullopt: cancelled.
+  /// Asks for a text, initially `text`; nullopt: cancelled.
   virtual std::optional<QString> text(QWidget* parent, const QString& title, const QString& label,
                                       const QString& now);
 };

@@ -35,28 +35,31 @@ void RecoveryController::discard(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
-// The recovered document is on the disk under this editor's name before the old file goes.
+// Stores each document under this editor's name before the old file is deleted.
 void RecoveryController::recover(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) emit recovered(&recoverOne(one.record));
   at_.recovery.flush();
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
-// These changes were not made on the file that somebody else wrote since: saving asks.
+// The recovered changes do not belong to a file that another program has written since, so saving it asks
+// first.
 void RecoveryController::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
   document.history().replace(record.button, tr("Recover unsaved changes"));
   if (record.cutout != document.cutout()) {
     document.setCutout(record.cutout);
-    document.history().stack().resetClean();  // it may be all that was not saved
+    // the cut-out may be the only unsaved change, and it is no undo step
+    document.history().stack().resetClean();
   }
   document.annotate(record.annotations, tr("Recover unsaved changes"));
   if (!record.knownContent.isEmpty()) document.setKnownContent(record.knownContent);
 }
 
-// On top of the file as it was saved, so that undo leads back to it.
+// Opens the saved file first, so that undo leads back to it.
 DocumentTab& RecoveryController::recoverOne(const RecoveryRecord& record) {
   DocumentTab* open = at_.tabs.withPath(record.path);
-  if (open && !open->document().history().modified()) {  // the last session's tabs are open again by now
+  // the tabs of the last session are open again at this time
+  if (open && !open->document().history().modified()) {
     recoverInto(open->document(), record);
     at_.tabs.show(open->document());
     return *open;

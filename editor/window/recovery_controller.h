@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Documents of editors that died, offered once at the start.
+// Offers the documents of editors that have crashed, once at the start.
 
 #include "editor/window/controller_context.h"
 
 namespace detent::editor {
 
-/// Offers what was left behind. Nothing is discarded without a question, and no file of a dead editor is
-/// removed before it is in this editor's own store. GUI thread.
+/// Nothing is discarded without a question, and no file of a crashed editor is removed before its document is
+/// in this editor's own store. GUI thread.
 class RecoveryController : public QObject {
   Q_OBJECT
 
  public:
   explicit RecoveryController(const ControllerContext& context, QObject* parent = nullptr);
 
-  /// Says what was left, with a choice; nothing if nothing was.
+  /// Shows a notice with the documents that were left and a choice; nothing if there are none.
   void offer();
 
  signals:
-  /// A button stands in this tab again, with its unsaved changes.
+  /// A button is open in this tab again, with its unsaved changes.
   void recovered(detent::editor::DocumentTab* tab);
 
  private:

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Windows on small screens: none larger than its screen, and panels' tabs with their whole names.
+// Fits windows to small screens: none is larger than its screen, and tabs of panels show their whole names.
 
 #include <QObject>
 #include <QWidget>
 
 namespace detent::editor {
 
-/// Around what is ours: the window manager's frame.
+/// Space around a window for the window manager's frame.
 inline constexpr QSize roomForFrame_px{8, 40};
 
-/// While it lives, a window that comes up larger than its screen is made as large as that; also those of Qt.
-/// Names of panels in tabs are not cut: where there is no room the tabs scroll. One for the whole
+/// While it exists, a window that opens larger than its screen is reduced to the screen's size, Qt's windows
+/// too. Names of panels in tabs are not cut off; without enough space the tabs scroll. One for the whole
 /// application. GUI thread.
 class ScreenFit : public QObject {
  public:

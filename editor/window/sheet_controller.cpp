@@ -81,7 +81,7 @@ void SheetController::addImported(std::shared_ptr<const importer::ImportReport> 
   const auto& provenance = report->button.provenance();
   if (provenance && importing_) pages_.remember(*provenance, importing_->draft().path);
   at_.tabs.add(importedDocument(std::move(report)));
-  at_.recovery.flush();  // saved at once: an import may have cost an hour of work
+  at_.recovery.flush();  // saved at once, because an import may have cost an hour of work
 }
 
 void SheetController::openImported(const QString& path, const Button& button) {
@@ -93,7 +93,7 @@ void SheetController::openImported(const QString& path, const Button& button) {
 
 // ---- what a hand corrected
 
-// On the disk within two seconds, as a document's changes are.
+// Stores the draft within two seconds, like changes of a document.
 void SheetController::keepDraft() {
   if (!importing_ || !importing_->isVisible()) return;
   ImportDraft draft = importing_->draft();
@@ -117,7 +117,7 @@ void SheetController::offerInterrupted() {
                     {{"continueImport", tr("Continue"),
                       [this, left, draft] {
                         shownDialog().continueDraft(*draft);
-                        keepDraft();  // on the disk under this editor's name before the old one goes
+                        keepDraft();  // stored under this editor's name before the old draft is deleted
                         at_.recovery.flush();
                         at_.recovery.discard(left);
                       }},

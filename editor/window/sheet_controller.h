@@ -28,21 +28,22 @@ class SheetController : public QObject {
   /// One graph of a sheet, selected in the import dialogue.
   void importGraph(const QString& path, GraphId graph);
   void importPicture(const QImage& picture);
-  /// A button that was read from this sheet elsewhere, in a tab with its page: unsaved work.
+  /// Opens a button that was imported elsewhere from this sheet in a tab with its page, as unsaved work.
   void openImported(const QString& path, const Button& button);
-  /// A tab of it was added: its sheet is traced again where somebody wants the points.
+  /// Call when a tab for the document was added: its sheet is traced again when its points are needed.
   void attend(ButtonDocument& document);
-  /// The page that the button was read from, behind its curves; where it cannot be found the tab says so.
+  /// Shows the page of the button behind its curves; if it cannot be found, the tab says so.
   void bringPageBack(ButtonDocument& document);
   /// Makes the button's file hold the page too, from the next save on.
   void keepPage(ButtonDocument& document, bool keep);
-  /// Says which imports a dead editor left unfinished, with a choice. After the recovery store was searched.
+  /// Shows the imports that crashed editors left unfinished, with a choice. Call after the recovery store was
+  /// searched.
   void offerInterrupted();
 
  signals:
   /// Something was done: a sentence for the status bar.
   void done(const QString& sentence);
-  /// This sheet is in the import dialogue, and could be read.
+  /// The sheet is open in the import dialogue and could be read.
   void opened(const QString& path);
   void unreadable(const QString& path);
 
@@ -60,7 +61,7 @@ class SheetController : public QObject {
   QTimer draftSoon_;
   QString pastedFile_;  ///< file of the picture pasted into the import dialogue
   QPointer<ImportDialog> importing_;
-  std::deque<ImportDraft> waiting_;  ///< nothing is corrected in them yet
+  std::deque<ImportDraft> waiting_;  ///< drafts without corrections so far
 };
 
 }  // namespace detent::editor

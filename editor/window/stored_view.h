@@ -8,8 +8,8 @@
 
 namespace detent::editor {
 
-/// Units by their symbols, so that the file can be read and a new unit does not shift the others. What is
-/// missing or makes no sense keeps its default.
+/// Units are stored by their symbols, so that the file is readable and a new unit does not shift the others.
+/// Missing and invalid values keep their defaults.
 void restoreView(ViewSettings& view, const QSettings& settings);
 void storeView(const ViewSettings& view, QSettings& settings);
 

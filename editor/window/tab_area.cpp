@@ -8,7 +8,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int leastName = 9;  // characters; where tabs have no room for that, they scroll
+constexpr int leastName = 9;  // characters; with less space the tabs scroll
 
 class NamedTabBar : public QTabBar {
  protected:
@@ -59,7 +59,7 @@ DocumentTab& TabArea::add(std::unique_ptr<ButtonDocument> document) {
   updateTitle(*tab);
   setCurrentWidget(tabs_);
   tabs_->setCurrentIndex(index);
-  tab->workspace().setFocus();  // the page that made way took the keyboard with it
+  tab->workspace().setFocus();  // the page that was hidden had the keyboard focus
   emit documentsChanged();
   return *tab;
 }

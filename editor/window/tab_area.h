@@ -16,11 +16,11 @@ class TabArea : public QStackedWidget {
   Q_OBJECT
 
  public:
-  /// `welcome` is taken over.
+  /// Takes ownership of `welcome`.
   TabArea(WelcomePage* welcome, ViewSettings& settings, QWidget* parent = nullptr);
   ~TabArea() override;
 
-  /// Shows it in a new tab and gives that.
+  /// Adds a tab for the document, shows it and returns it.
   DocumentTab& add(std::unique_ptr<ButtonDocument> document);
   /// Closes a tab without a question. Listeners to tabClosing() must release it.
   void remove(DocumentTab& tab);
@@ -36,7 +36,7 @@ class TabArea : public QStackedWidget {
   DocumentTab* tabOf(const ButtonDocument* document) const;
 
  signals:
-  /// Another tab, or none (null).
+  /// Another tab is shown, or none (null).
   void currentTabChanged(detent::editor::DocumentTab* tab);
   void tabAdded(detent::editor::DocumentTab* tab);
   void tabClosing(detent::editor::DocumentTab* tab);

@@ -8,8 +8,8 @@
 namespace detent::editor {
 namespace {
 
-/// lupdate files texts under the class or namespace of the calling function; if that is no QObject, they are
-/// requested under another name. So a text that is missing under its name is searched under the others.
+/// lupdate stores texts under the class or namespace of the calling function. A function outside of a QObject
+/// requests them under another name. So a text that is missing under its name is searched under the others.
 class Translator : public QTranslator {
  public:
   Translator(const QStringList& contexts, QObject* parent) : QTranslator(parent) {
@@ -39,7 +39,7 @@ bool installTranslation(QCoreApplication& application, const QLocale& locale, co
   auto* own = new Translator(linesOf(folder + QStringLiteral("/contexts.txt")), &application);
   if (!own->load(locale, QStringLiteral("detent"), QStringLiteral("_"), folder)) {
     delete own;
-    return false;  // Qt's texts in another language than ours would be half a translation
+    return false;  // Qt's texts in another language than ours would be a mixture
   }
   auto* qt = new QTranslator(&application);
   if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),

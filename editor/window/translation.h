@@ -10,8 +10,9 @@ namespace detent::editor {
 /// Setting with the code of the language that was chosen; empty: the system's.
 inline constexpr const char* languageKey = "view/language";
 
-/// Installs detent_<language>.qm from `folder` and Qt's own texts for `locale`, where they are there; English
-/// otherwise. The translators belong to `application`. True if Detent's own were found.
+/// Installs detent_<language>.qm from `folder`, and Qt's own texts for `locale`, if they exist; otherwise the
+/// texts stay English. The translators belong to `application`. Returns true if Detent's own texts were
+/// found.
 bool installTranslation(QCoreApplication& application, const QLocale& locale,
                         const QString& folder = QStringLiteral(":/i18n"));
 

@@ -66,7 +66,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
   middle->addStretch();
   middle->addWidget(column, column_px);
   middle->addStretch();
-  auto* scrolled = new QScrollArea;  // on a small screen; a window is no larger for what it does not show
+  auto* scrolled = new QScrollArea;  // scrolls on a small screen, because a window does not grow for it
   scrolled->setWidget(inside);
   scrolled->setWidgetResizable(true);
   scrolled->setFrameShape(QFrame::NoFrame);

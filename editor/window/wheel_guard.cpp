@@ -21,7 +21,8 @@ bool changesByWheel(const QWidget& widget) {
          (qobject_cast<const QAbstractSlider*>(&widget) && !qobject_cast<const QScrollBar*>(&widget));
 }
 
-/// A click lands on the line edit of a field, and on the slider itself.
+/// The control that contains a widget: a click on a field reaches its line edit, a click on a slider the
+/// slider itself.
 QWidget* controlAround(QWidget* widget) {
   for (; widget; widget = widget->parentWidget()) {
     if (changesByWheel(*widget)) return widget;
@@ -30,7 +31,8 @@ QWidget* controlAround(QWidget* widget) {
   return nullptr;
 }
 
-/// The head of a table has nothing to scroll; the table has. Null for all others.
+/// For a widget inside a table's header, which has nothing to scroll, the table's viewport; null for all
+/// others.
 QWidget* tableBelowHead(QObject* watched) {
   const auto* head = watched->isWidgetType() ? qobject_cast<const QHeaderView*>(watched->parent()) : nullptr;
   auto* table = head ? qobject_cast<QAbstractItemView*>(head->parentWidget()) : nullptr;
@@ -38,7 +40,7 @@ QWidget* tableBelowHead(QObject* watched) {
 }
 
 bool hasKeyboard(const QWidget& control) {
-  if (!(control.focusPolicy() & Qt::ClickFocus)) return true;  // a click leaves the keyboard where it was
+  if (!(control.focusPolicy() & Qt::ClickFocus)) return true;  // a click does not move the focus to it
   const QWidget* focus = QApplication::focusWidget();
   return focus && (focus == &control || control.isAncestorOf(focus));
 }
@@ -51,7 +53,7 @@ WheelGuard::WheelGuard(QObject* parent) : QObject(parent) {
 
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
-    case QEvent::Polish:  // Qt gives the keyboard to what the wheel turns over
+    case QEvent::Polish:  // otherwise Qt gives the focus to the widget under the wheel
       if (auto* widget = qobject_cast<QWidget*>(watched); widget && widget->focusPolicy() == Qt::WheelFocus)
         widget->setFocusPolicy(Qt::StrongFocus);
       return false;
@@ -67,7 +69,7 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
       }
       const auto* widget = qobject_cast<QWidget*>(watched);
       if (!widget || !changesByWheel(*widget) || (widget == clicked_ && hasKeyboard(*widget))) return false;
-      event->ignore();  // Qt goes on with the parent
+      event->ignore();  // Qt passes the event on to the parent
       return true;
     }
     default:

@@ -8,10 +8,10 @@
 
 namespace detent::editor {
 
-/// While it lives, the wheel changes a choice, a number field, a slider or the tab shown only where the last
-/// click was and the keyboard still is; over all others it scrolls what they stand in. Scroll bars and plots
-/// are not meant: they show, and change nothing. Over the head of a table it scrolls the table. One for the
-/// whole application. GUI thread.
+/// While it exists, the wheel changes a combo box, a number field, a slider or a tab bar only if the last
+/// click was on it and it still has the focus. Over any other control it scrolls the area that contains it.
+/// Over a table's header it scrolls the table. Scroll bars and plots are not affected, because the wheel
+/// changes no value there. One for the whole application. GUI thread.
 class WheelGuard : public QObject {
  public:
   explicit WheelGuard(QObject* parent);
@@ -20,7 +20,7 @@ class WheelGuard : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QPointer<QWidget> clicked_;  ///< the control of the last click; null where that was on none
+  QPointer<QWidget> clicked_;  ///< the control of the last click; null if that was on none
 };
 
 }  // namespace detent::editor

@@ -26,7 +26,7 @@ std::string arrayOf(const std::vector<std::string>& objects) {
   return "[" + text + "]";
 }
 
-/// Every digit, so that it reads back bit for bit.
+/// All digits of a number, so that it reads back bit for bit.
 std::string numberText(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};

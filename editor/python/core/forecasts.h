@@ -13,19 +13,20 @@
 
 namespace detent::python {
 
-/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale. `feel` as --feel
-/// takes it.
+/// Samples of a press as shares of full scale. `trace`: a press trace's file; empty: a human-like press.
+/// `feel`: as --feel takes it.
 std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
                                  const std::string& feel, const Cancelled& cancelled);
 
-/// A JSON array, one entry a pair; `a` and `b` are the buttons' places, as text.
+/// A JSON array with one entry per pair; `a` and `b` are the buttons' indices, as text.
 std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& cancelled);
 
-/// A JSON array, one entry a button.
+/// A JSON array with one entry per button.
 std::string performanceOf(const std::vector<Button>& buttons, const std::optional<double>& operateAt_mm,
                           const Cancelled& cancelled);
 
-/// The button at `share` of the way (empty: the perceptual middle), and a sentence on its place.
+/// The button at `share` of the way (empty: the perceptual middle), and a sentence that describes its
+/// position.
 std::pair<Button, std::string> buttonBetween(const Button& from, const Button& to,
                                              const std::optional<double>& share, const Cancelled& cancelled);
 

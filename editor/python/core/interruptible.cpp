@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds signalsEvery{20}, graceOfCancelled{200};
 
-/// A thread that waits for work. Lives until the process ends, like what it keeps.
+/// A thread that executes work. It and its data live until the process ends.
 class Worker {
  public:
   void give(std::function<void()> work);
@@ -26,14 +26,14 @@ class Worker {
   std::function<void()> work_;
 };
 
-/// Workers without work. Never destroyed: threads may outlast the objects of this file.
+/// Workers that are free. Never destroyed, because threads may outlast the static objects of this file.
 struct Idle {
   std::mutex guard;
   std::vector<Worker*> workers;
 };
 Idle& idle() {
   static Idle* const all = [] {
-    // A forked child has none of the threads.
+    // A forked child does not have the threads.
     pthread_atfork([] { idle().guard.lock(); }, [] { idle().guard.unlock(); },
                    [] {
                      idle().workers.clear();
@@ -74,7 +74,7 @@ Worker* worker() {
       return last;
     }
   }
-  auto* const made = new Worker;  // lives on with its thread
+  auto* const made = new Worker;  // lives as long as its thread
   std::thread([made] { made->run(); }).detach();
   return made;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Work beside Python: without its lock, so that other threads go on, and ended by Ctrl-C.
+// Runs work without Python's lock, so that other Python threads continue, and lets Ctrl-C end it.
 
 #include <atomic>
 #include <chrono>
@@ -12,16 +12,16 @@
 
 namespace detent::python {
 
-/// Called often by everything that takes long.
+/// Polled often by all long work; true requests its end.
 using Cancelled = std::function<bool()>;
 
-/// One piece of work between who waits for it and who does it. Any thread.
+/// One piece of work, shared by the thread that waits and the thread that does it. Any thread.
 class Errand {
  public:
   bool cancelled() const { return cancelled_; }
   void cancel() { cancelled_ = true; }
   void finish();
-  /// False: not over within `longest`.
+  /// Returns false if the work is not finished within `longest`.
   bool waitFor(std::chrono::milliseconds longest);
 
  private:
@@ -31,15 +31,16 @@ class Errand {
   bool over_ = false;
 };
 
-/// Runs `work` on a thread that lives on between calls (the text engine is loaded for each thread once). It
-/// must own all it uses: one that does not end on request is left behind. Exceptions must not leave it.
+/// Runs `work` on a thread that is kept between calls, because the text engine is loaded once per thread.
+/// `work` must own all its data: if it does not end on request, it is left running. No exception may leave
+/// it.
 void begin(std::function<void()> work);
 
 /// Waits without Python's lock and checks for its signals; call with the lock held. Throws the exception of a
 /// signal's handler (KeyboardInterrupt), 0.2 s after it at the latest.
 void await(Errand& errand);
 
-/// The value of `work(cancelled)`, done so. `Value` can be moved.
+/// Runs `work(cancelled)` in this way and returns its value. `Value` can be moved.
 template <class Value, class Work>
 Value interruptible(Work work) {
   struct Shared : Errand {

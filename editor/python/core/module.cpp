@@ -45,7 +45,7 @@ struct KeptButton {
   std::string toJson() const { return jsonFrom(button, cutout); }
 };
 
-/// (n, columns) over what `owner` keeps; read only.
+/// A read-only array of n rows over memory that `owner` keeps.
 template <class Number, class Owner>
 py::array_t<Number> viewOf(std::unique_ptr<Owner> owner, std::vector<py::ssize_t> shape) {
   const Number* const first = reinterpret_cast<const Number*>(owner->data());
@@ -63,7 +63,7 @@ py::array_t<double> columnsOf(std::vector<Point> points) {
   return viewOf<double>(std::make_unique<std::vector<Point>>(std::move(points)), {rows, 2});
 }
 
-/// The work's value, done so that Ctrl-C ends it; a Refusal becomes an exception.
+/// Runs work that Ctrl-C can end, and returns its value; a Refusal becomes an exception.
 template <class T, class Work>
 T answered(Work work) {
   return interruptible<Answer<T>>([work = std::move(work)](const Cancelled& cancelled) {
@@ -219,7 +219,7 @@ void bindReading(py::module_& core) {
       .def("stop", &ReadMany::stop);
 }
 
-// ---- what is computed of buttons
+// ---- values computed from buttons
 
 std::vector<Button> plain(const std::vector<KeptButton>& kept) {
   std::vector<Button> buttons;
@@ -277,7 +277,7 @@ void bindAnswers(py::module_& core) {
   });
 }
 
-/// Text of Python; bytes of a file's name that are no UTF-8 as os.fsdecode gives them.
+/// A Python string. Bytes of a file name that are not valid UTF-8 are converted as os.fsdecode does.
 py::str textOf(const std::string& bytes) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "surrogateescape"));

@@ -19,7 +19,7 @@ std::string whatIsWrong(const std::string& message) { return message.substr(0, m
 importer::ImportRequest requestOf(const std::vector<std::string>& options) {
   std::vector<const char*> words{"detent-import"};
   for (const std::string& option : options) words.push_back(option.c_str());
-  words.insert(words.end(), {"--", "INPUT"});  // which file is said with every read
+  words.insert(words.end(), {"--", "INPUT"});  // the file's name is given with every call
   std::ostringstream out, err;
   const auto parsed = importer::parseArguments(static_cast<int>(words.size()), words.data(), out, err);
   if (!parsed.arguments)
@@ -45,7 +45,7 @@ ReadButton readGraph(importer::ImportRequest request, const std::string& path, c
 }
 
 struct ReadMany::Shared : Errand {
-  /// One file's place.
+  /// Queue entry of one file.
   struct Input {
     std::string path;
     std::shared_ptr<Errand> over = std::make_shared<Errand>();

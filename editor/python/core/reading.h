@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The functions of detent-import: a file in, a button and its report out.
+// The functions of detent-import: from a file to a button and its report.
 
 #include <atomic>
 #include <condition_variable>
@@ -29,10 +29,11 @@ importer::ImportRequest requestOf(const std::vector<std::string>& options);
 /// Any thread. Throws Refusal.
 ReadButton readGraph(importer::ImportRequest request, const std::string& path, const Cancelled& cancelled);
 
-/// Many files by several threads, given in their order. One thread asks.
+/// Reads many files on several threads and returns the results in the order of the files. Called by one
+/// thread.
 class ReadMany {
  public:
-  /// Begins at once. `jobs` >= 1.
+  /// Starts at once. `jobs` >= 1.
   ReadMany(const std::vector<std::string>& paths, const importer::ImportRequest& request, std::size_t jobs);
   ~ReadMany() { stop(); }
   ReadMany(const ReadMany&) = delete;
@@ -40,7 +41,7 @@ class ReadMany {
 
   /// Result of the next file; waits as `await` does, and stops where that throws.
   Answer<ReadButton> next();
-  /// Does not begin further files; ends those that are being read. Returns at once.
+  /// Starts no further files, and cancels those that are being read. Returns at once.
   void stop();
 
  private:

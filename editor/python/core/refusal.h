@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A Failure on its way to Python, where it becomes the exception of its kind.
+// A Failure that becomes a Python exception of its kind.
 
 #include <exception>
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace detent::python {
 
-/// Information for the caller.
+/// Data of the exception.
 struct Refused {
   int code = 1;                       ///< the programs' exit code
   std::string sentence;               ///< as the program says it
-  std::vector<std::string> remedies;  ///< one for each, likeliest first
+  std::vector<std::string> remedies;  ///< one entry per remedy, most likely first
   std::string reportJson;             ///< the program's output with --json; empty if there is none
 
   static Refused from(const Failure& failure, std::string reportJson = {});
 };
 
-/// Raised as detent.Failure or one of its kinds.
+/// Becomes detent.Failure or one of its subclasses.
 class Refusal : public std::exception {
  public:
   explicit Refusal(Refused why) : why_(std::move(why)) {}
@@ -45,7 +45,7 @@ struct Answer {
   }
 };
 
-/// Result of `work`; an exception becomes the Refusal with which a program would end.
+/// Result of `work`. An exception becomes the Refusal that the program would report.
 template <class T, class Work>
 Answer<T> answerOf(const Work& work) {
   try {
@@ -63,7 +63,7 @@ Answer<T> answerOf(const Work& work) {
   }
 }
 
-/// The value, or its Failure thrown.
+/// Returns the value, or throws its Failure as a Refusal.
 template <class T>
 T valueOf(Result<T> result) {
   if (!result) throw Refusal(Refused::from(result.failure()));
