@@ -31,8 +31,9 @@ enum class StudyTrouble : std::uint8_t {
   sensorUnplugged,
   sensorSilent,
   sensorStuck,
-  forceLost,    ///< the force device went away
-  forceStopped  ///< it gives no force until somebody arms it: after stopForce(), a fault, or a lost position
+  forceLost,  ///< the force device disappeared
+  /// it gives no force until a person arms it: after stopForce(), a fault, or a lost position
+  forceStopped
 };
 /// Name in the journal: "sensor silent".
 const char* nameOf(StudyTrouble trouble);

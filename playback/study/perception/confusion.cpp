@@ -16,18 +16,18 @@ namespace {
 
 using Levels = std::vector<std::array<double, channelCount>>;
 
-constexpr double onset_dB = 6;  // above threshold: clearly felt
+constexpr double onset_dB = 6;  // level above threshold from which a frame is clearly felt
 
 constexpr double errorsAtBar = 0.1;  // K&L: at most one error in ten trials
-constexpr double surely = 0.9;       // probability of a verdict
+constexpr double surely = 0.9;       // probability from which a verdict is given
 constexpr int rangeTrials = 90;      // as in Table 2: nine people, ten trials
 
 constexpr std::size_t pairKinds = 40;  // equally frequent kinds of pairs, by increasing sensitivity
 
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
-/// Levels from alignment_s before the first clearly felt frame on, with silence if the stroke is younger.
-/// Faint levels before it stay, so that a level that passes the bar changes the alignment only.
+/// Levels from alignment_s before the first clearly felt frame on, with silence before a stroke that began
+/// later than that. Faint levels in that time stay, so that a level near the bar changes only the alignment.
 Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   double loudest = 0;
   for (const auto& frame : levels) loudest = std::max({loudest, frame[0], frame[1]});
@@ -50,7 +50,7 @@ BothChannels larger(BothChannels x, BothChannels y) { return x < y ? y : x; }
 struct ComparedStroke {
   /// Levels from the onset on, in just noticeable steps, without the silence at the end.
   std::vector<BothChannels> steps;
-  std::size_t frames = 0;  ///< with the silence at the end
+  std::size_t frames = 0;  ///< number of frames, the silence at the end included
   double centre_s = 0;
   double grains = 0, force_N = 0;
 };
@@ -60,7 +60,7 @@ struct LevelRange {
   BothChannels at{}, least{}, most{};
 };
 
-/// `frames`: not fewer than there are steps; silence follows them.
+/// `frames`: at least as many as there are steps; the rest is silence.
 std::vector<LevelRange> rangesOf(const std::vector<BothChannels>& steps, std::size_t frames) {
   std::vector<LevelRange> ranges(frames);
   for (std::size_t i = 0; i < steps.size(); ++i) ranges[i] = {steps[i], steps[i], steps[i]};
@@ -74,8 +74,9 @@ std::vector<LevelRange> rangesOf(const std::vector<BothChannels>& steps, std::si
   return ranges;
 }
 
-/// Squared difference of two moments, as far as neither stroke has the other's level within half a frame: the
-/// start of a frame is not felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
+/// Squared difference of two frames. A level counts only as far as it lies outside the levels that the other
+/// stroke has within half a frame, because the exact start of a frame is not felt (Birchfield & Tomasi, IEEE
+/// TPAMI 20(4), 1998).
 double squaredSteps(const LevelRange& a, const LevelRange& b) {
   const BothChannels outsideB = a.at - smaller(larger(a.at, b.least), b.most);
   const BothChannels outsideA = b.at - smaller(larger(b.at, a.least), a.most);
@@ -83,16 +84,17 @@ double squaredSteps(const LevelRange& a, const LevelRange& b) {
   return squares[0] + squares[1];
 }
 
-/// Dynamic time warping with a band: the least sum of squared steps over all ways to lay one stroke over the
-/// other. Works along diagonals, frames i and k with the same i + k: no sum of one waits for another.
+/// Dynamic time warping within a band: the least sum of squared steps over all alignments of the two strokes.
+/// Computed along diagonals (frames i and k with the same i + k), whose sums do not depend on each other.
 double warpedDistance(const ComparedStroke& strokeA, const ComparedStroke& strokeB, std::size_t band) {
   constexpr double far = std::numeric_limits<double>::infinity();
-  // Silence of both adds nothing. One frame of it is enough for every way to reach the end.
+  // Frames in which both are silent add nothing. One such frame is enough, so that every alignment can reach
+  // the end.
   const std::size_t loud = std::max(strokeA.steps.size(), strokeB.steps.size());
   const std::size_t n = std::min(std::max(strokeA.frames, strokeB.frames), loud + 1);
   if (n == 0) return 0;
   const std::vector<LevelRange> a = rangesOf(strokeA.steps, n), b = rangesOf(strokeB.steps, n);
-  // Least sums of this diagonal and the two before it, at i + 1.
+  // Least sums of this diagonal and of the two before it; frame i has index i + 1.
   std::vector<double> now(n + 2, far), before(n + 2, far), beforeThat(n + 2, far);
   beforeThat[0] = 0;
   for (std::size_t diagonal = 0; diagonal <= 2 * (n - 1); ++diagonal) {
@@ -109,7 +111,7 @@ double warpedDistance(const ComparedStroke& strokeA, const ComparedStroke& strok
   return before[n];
 }
 
-/// Centroid time of the P channel's power from the start of the stroke, s; 0 for silence.
+/// Centroid of the P channel's power over time, s, from the start of the stroke; 0 for silence.
 double centreOf(const FeltStroke& stroke) {
   double weight = 0, moment = 0;
   for (std::size_t i = 0; i < stroke.excitation.level_dB.size(); ++i) {
@@ -138,7 +140,7 @@ ComparedStroke comparedStroke(const FeltStroke& felt, const ConfusionSettings& s
   return stroke;
 }
 
-/// Difference of two positive quantities as their ratio's logarithm.
+/// Logarithm of the ratio of two positive quantities.
 double ratio(double a, double b, double least) {
   return std::fabs(std::log(std::max(a, least) / std::max(b, least)));
 }
@@ -165,20 +167,21 @@ double shareWrong(double dPrime, const ConfusionSettings& settings) {
   return settings.lapses / 2 + (1 - settings.lapses) * (1 - shareCorrect(dPrime, AbxStrategy::differencing));
 }
 
-/// d' that makes one error in ten.
+/// d' that gives one error in ten.
 double dPrimeAtBar(const ConfusionSettings& settings) {
   const double share = 1 - (errorsAtBar - settings.lapses / 2) / (1 - settings.lapses);
   return dPrimeOf(share, AbxStrategy::differencing);
 }
 
-/// Probability that people confuse a pair of the smaller d' more than one of the larger.
+/// Probability that people confuse a pair with the smaller d' more often than one with the larger.
 double probabilityMoreConfused(double smaller, double larger, const ConfusionSettings& settings) {
   if (smaller == larger) return 0.5;
   if (smaller <= 0) return 1;
   return normalCdf(std::log(larger / smaller) / (std::sqrt(2.0) * settings.sensitivitySpread));
 }
 
-/// Sensitivity factors of the kinds of pairs, and d' at the bar: the same for every pair.
+/// Sensitivity factors of all kinds of pairs, and the d' that gives one error in ten. Both are the same for
+/// every pair.
 class PairErrors {
  public:
   explicit PairErrors(const ConfusionSettings& settings)
@@ -189,7 +192,7 @@ class PairErrors {
   }
 
   void foretell(PredictedPair& pair) const {
-    constexpr double tail = 0.05;  // left out at each end of the range
+    constexpr double tail = 0.05;  // share that is left out at each end of the range
     std::array<double, rangeTrials + 1> probability{};
     for (const double factor : factors_) {
       const double wrong = shareWrong(pair.dPrime * factor, settings_);
@@ -235,7 +238,7 @@ class Comparison {
     }
   }
 
-  /// Forecast for two buttons; of self-locking ones, that of the state that differs more clearly.
+  /// Forecast for two buttons; for self-locking ones, that of the state in which they differ more clearly.
   PredictedPair pair(std::size_t a, std::size_t b) const {
     const std::size_t states = std::max(buttons_[a].size(), buttons_[b].size());
     PredictedPair clearest;

@@ -11,15 +11,15 @@
 
 namespace detent::playback {
 
-/// The largest difference between two buttons.
+/// Kind of the largest difference between two buttons.
 enum class Cue : std::uint8_t {
-  strength,  ///< how strong it is, at the same place of the stroke
-  timing,    ///< when in the stroke its weight comes
-  travel,    ///< how far it seems to yield: how many grains are passed
-  force      ///< how hard one presses on the way
+  strength,  ///< level of the vibration, at the same place of the stroke
+  timing,    ///< time in the stroke at which most of the vibration comes
+  travel,    ///< apparent travel: number of grains that are passed
+  force      ///< force of the finger on the way
 };
 
-/// One stroke's differences, each in units of what is just noticed (d' = 1).
+/// Differences of one stroke, each in units of the just noticeable difference (d' = 1).
 struct StrokeDifference {
   double strength = 0, timing = 0, travel = 0, force = 0;
   double largest() const;
@@ -29,34 +29,35 @@ struct StrokeDifference {
 struct ConfusionSettings {
   /// Just noticeable differences of level: Weber fraction 0.58 at 10 Hz (RA), 0.20 at 125 Hz (P).
   std::array<double, channelCount> noticeable_dB{3.97, 1.58};
-  double integration_s = 0.2;  ///< temporal summation of P: frames within are one observation
-  double timingWeber = 0.1;    ///< of the time since the stroke began
-  double travelWeber = 0.25;   ///< of the number of grains
-  /// Weber fraction of the finger's own mean force in two presses: each varies by 0.2, and force is felt to
-  /// 0.1 of it.
+  double integration_s = 0.2;  ///< temporal summation of P: frames within this time are one observation
+  double timingWeber = 0.1;    ///< Weber fraction of the time since the stroke began
+  double travelWeber = 0.25;   ///< Weber fraction of the number of grains
+  /// Weber fraction of the finger's own mean force in two presses: each press varies by 0.2, and force is
+  /// felt to 0.1 of its value.
   double forceWeber = 0.32;
-  double alignment_s = 0.02;  ///< time is warped by at most so much
-  // From d' to errors, fitted to the 15 pairs of K&L's noisy group (Table 2 (b)) by confusion_fit.py, each
-  // pair with a sensitivity of its own: log-normal over pairs.
+  double alignment_s = 0.02;  ///< largest shift by which times are aligned
+  // From d' to errors. Fitted by confusion_fit.py to the 15 pairs of K&L's noisy group (Table 2 (b)). Each
+  // pair has its own sensitivity, log-normally distributed over pairs.
   double sensitivity = 3.3;        ///< factor on every d'; 1: not tuned
   double sensitivitySpread = 0.6;  ///< standard deviation of the factor's logarithm over pairs
-  double lapses = 0.05;  ///< share of trials answered by guessing, however far apart the buttons are; [0, 1)
+  double lapses = 0.05;  ///< share of trials answered by guessing, however large the difference is; [0, 1)
 };
 
 /// Answer to "do people tell these apart?" (at most one error in ten, as in K&L's test): yes from a
 /// probability of 0.9 on, no up to 0.1.
 enum class Verdict : std::uint8_t { distinguished, notDistinguished, undecided };
 
-/// One forecast. "Errors" are those of an ABX test with mixed pairs; all follow from dPrime.
+/// One forecast. "Errors" are those of an ABX test with mixed pairs. All figures follow from dPrime.
 struct PredictedPair {
-  double dPrime = 0;                ///< mean over quick and slow presses
-  double shareOfErrors = 0.5;       ///< [0, 0.5]
-  double leastShareOfErrors = 0,    ///< counted in 90 trials: 5 % of pairs of this d' have fewer,
-      mostShareOfErrors = 0.5;      ///< and 5 % have more
+  double dPrime = 0;           ///< mean over quick and slow presses
+  double shareOfErrors = 0.5;  ///< [0, 0.5]
+  /// range of the share of errors in 90 trials: 5 % of the pairs of this d' have fewer errors,
+  double leastShareOfErrors = 0,
+         mostShareOfErrors = 0.5;   ///< and 5 % have more
   double probabilityApart = 0;      ///< probability of at most one error in ten
   StrokeDifference press, release;  ///< mean over the presses
-  bool onPress = true;              ///< which stroke says more
-  Cue cue = Cue::strength;          ///< and the cue that differs most
+  bool onPress = true;              ///< stroke that differs more
+  Cue cue = Cue::strength;          ///< cue that differs most in that stroke
 
   double errorsPer90() const { return 90 * shareOfErrors; }
   double leastErrorsPer90() const { return 90 * leastShareOfErrors; }

@@ -30,8 +30,9 @@ class DesignSearch {
                const std::function<bool()>& cancelled)
       : button_(button), other_(other), settings_(settings), cancelled_(cancelled) {}
 
-  /// The first factor on the way from 1 to `farthest` that makes the two distinguishable: found in strides,
-  /// then searched in the two strides before it, because a verdict may come, go and come again.
+  /// The first factor on the way from 1 to `farthest` that makes the two distinguishable. The way is searched
+  /// in strides, then the two strides before the first success step by step, because a verdict may change
+  /// several times.
   std::optional<Suggestion> along(Lever lever, double farthest) const {
     constexpr int strides = 12;
     int below = 100, beforeThat = 100;
@@ -57,7 +58,8 @@ class DesignSearch {
     return Suggestion{lever, factor, *std::move(changed), forecast};
   }
 
-  /// The first distinguishable factor behind `from`, by hundredths; `found` is distinguishable at `to`.
+  /// The first factor after `from` with which the two are distinguishable, in steps of a hundredth. `found`
+  /// is distinguishable at `to`.
   Suggestion firstBetween(Lever lever, int from, int to, Suggestion found) const {
     const int direction = to > from ? 1 : -1;
     for (int percent = from + direction; percent != to; percent += direction) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Help for the designer: which smallest change of one button makes people tell it from another?
+// Help for the designer: the smallest change of one button after which people can distinguish it from
+// another.
 
 #include <functional>
 #include <optional>
@@ -31,8 +32,8 @@ struct DesignHelpSettings {
 };
 
 /// The least change by each lever that makes the forecast PredictedPair::distinguished(), smallest change
-/// first; empty where none does, or where the two are far enough apart already. `cancelled` empties it, too.
-/// About a second. Failure: as feel().
+/// first. Empty if no lever achieves it, if the two are distinguishable already, or if `cancelled` returned
+/// true. About a second. Failure: as feel().
 Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const Button& other,
                                                     const DesignHelpSettings& settings = {},
                                                     const std::function<bool()>& cancelled = {});

@@ -13,9 +13,9 @@ namespace {
 constexpr std::array<double, channelCount> best_Hz{40, pacinianBest_Hz};
 constexpr std::array<double, channelCount> bandQ{0.7, pacinianQ};
 constexpr double smoothing_s = 0.004;
-constexpr double unmaskable_dB = 1;  // a masker this faint hides nothing
+constexpr double unmaskable_dB = 1;  // a masker this faint masks nothing
 
-/// Mean power of a channel's band in each frame, as a sine's of amplitude 1 is 1.
+/// Mean power of a channel's band in each frame; a sine of amplitude 1 has power 1.
 std::vector<double> powersOf(const std::vector<float>& samples, std::size_t channel) {
   std::vector<double> band(samples.begin(), samples.end());
   for (std::size_t s = 0; s < pacinianSections; ++s) {

@@ -16,7 +16,7 @@ constexpr double hold_s = 0.08;
 constexpr double releaseShare = 0.83;  // "releasing strokes are often faster than pressing strokes" (K&L)
 constexpr double rest_s = 0.02;        // rest at the beginning of standardPress
 
-/// The surface's movement: the played samples, shaped by the device's resonances.
+/// Movement of the surface: the played samples after the device's resonances.
 std::vector<float> throughDevice(const std::vector<float>& samples, const DeviceProfile& device) {
   std::vector<double> moved(samples.begin(), samples.end());
   for (const Resonance& r : device.resonances) {
@@ -69,7 +69,7 @@ Result<FeltPress> feelPress(const HapticProgram& program, std::size_t length,
   return felt;
 }
 
-/// Forces along the finger's way. Without a release curve the button comes up as it went down.
+/// Forces along the finger's way. Without a release curve, the release has the forces of the press.
 void feelForces(FeltPress& felt, const ForceGraph& graph) {
   const auto meanOf = [](const StrokeCurve& curve) {
     return curve.area_mJ(curve.start_mm(), curve.end_mm()) / curve.travel_mm();

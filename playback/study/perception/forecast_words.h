@@ -7,14 +7,14 @@
 
 namespace detent::playback {
 
-/// "2 to 12 errors in 90", of the range; "hardly an error in 90".
+/// The range of errors in words: "2 to 12 errors in 90", "hardly an error in 90".
 Message errorsOf(const PredictedPair& pair);
-/// "People tell these apart: 0 to 7 errors in 90", if that is sure enough; else "people probably tell these
-/// apart (70 %): ..."
+/// The verdict in words: "People tell these apart: 0 to 7 errors in 90" if it is certain enough, else "people
+/// probably tell these apart (70 %): ..."
 Message verdictOf(const PredictedPair& pair);
 /// Verdict and range of errors in a few words, for a line of a list.
 Message shortVerdictOf(const PredictedPair& pair);
-/// "most differs on the press: when the click comes"; "nothing differs".
+/// The largest difference in words: "most differs on the press: when the click comes"; "nothing differs".
 Message reasonOf(const PredictedPair& pair);
 
 }  // namespace detent::playback

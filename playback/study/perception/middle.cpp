@@ -14,7 +14,7 @@ namespace {
 
 constexpr double equalWithin = 0.05;
 
-/// 0: equal halves; positive: farther from `from`.
+/// Imbalance of the two halves: 0 if they are equal, positive if the place is farther from `from`.
 double imbalanceOf(const PerceptualMiddle& place) {
   const double sum = place.dPrimeFrom + place.dPrimeTo;
   return sum > 0 ? 2 * (place.dPrimeFrom - place.dPrimeTo) / sum : 0;
@@ -49,7 +49,7 @@ class MiddleSearch {
     return imbalance;
   }
 
-  /// Halves a stretch on whose ends the imbalance has different signs.
+  /// Bisects a stretch at whose ends the imbalance has different signs.
   std::optional<Failure> narrow(double low, double high, bool rising) {
     constexpr int halvings = 10;
     for (int i = 0; i < halvings && !closeEnough(); ++i) {
@@ -98,8 +98,9 @@ Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
   MiddleSearch search(from, to, perception, confusion, cancelled);
   if (auto failure = search.begin()) return std::move(*failure);
   if (const auto half = search.imbalanceAt(0.5); !half) return half.failure();
-  constexpr int stretches =
-      32;  // whole grains make the forecast jump: the halves may be equal in several places, or in none
+  // number of places. The forecast jumps by whole grains, so the halves may be equal in several places, or in
+  // none
+  constexpr int stretches = 32;
   double before = -1;  // at `from` itself
   for (int i = 1; i <= stretches && !search.closeEnough(); ++i) {
     const auto here = i == stretches ? Result<double>(1) : search.imbalanceAt(double(i) / stretches);

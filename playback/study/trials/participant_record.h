@@ -86,8 +86,8 @@ struct Answer {
   std::vector<Felt> felt;   ///< of each choice
   Felt feltX;               ///< empty if X is a real switch
   double onset_s = 0;       ///< from the start of this session to the start of the trial
-  double firstPress_s = 0;  ///< from there to the first press of any stimulus
-  double answer_s = 0;      ///< from there to the answer
+  double firstPress_s = 0;  ///< from the start of the trial to the first press of any stimulus
+  double answer_s = 0;      ///< from the start of the trial to the answer
 };
 
 /// An answer with its circumstances.

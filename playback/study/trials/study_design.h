@@ -28,7 +28,7 @@ enum class StudyKind : std::uint8_t {
   sameDifferent,  ///< are these two the same button, or different ones?
   matching,       ///< K&L, Experiment 2: which of all is X?
   threshold,      ///< which of two has more of a quantity? The differences adapt to the answers (QUEST+)
-  rating,         ///< how good is it, how strong is it, which of two is preferred?
+  rating,         ///< how good is it, how strong is it, or which of two is preferred?
   /// press with a cue, within a window, or as fast as one can sustain: about timing, not about choices
   timing
 };
@@ -96,11 +96,12 @@ struct StudyDesign {
   StudyKind kind = StudyKind::abx;
   TargetKind targets = TargetKind::virtualButton;       ///< physical: matching only
   std::vector<FeedbackMode> modes{FeedbackMode::full};  ///< each pair (or button) is tried in each; not off
-  Feel feel = usualSettings().feel;                     ///< that of other programs by default, or the paper's
-  LevelQuantity quantity = LevelQuantity::peakForce;    ///< threshold
-  RatingScale scale = RatingScale::preference;          ///< rating
-  TimingTask task = TimingTask::cue;                    ///< timing
-  std::vector<double> intervals_s{0.6, 0.8, 1.0};       ///< cue, window: each is used equally often
+  /// default: the feel that programs have outside of studies; or that of the paper
+  Feel feel = usualSettings().feel;
+  LevelQuantity quantity = LevelQuantity::peakForce;  ///< threshold
+  RatingScale scale = RatingScale::preference;        ///< rating
+  TimingTask task = TimingTask::cue;                  ///< timing
+  std::vector<double> intervals_s{0.6, 0.8, 1.0};     ///< cue, window: each is used equally often
   /// window: each is used equally often; each below the least interval
   std::vector<double> windows_s{0.08, 0.12, 0.16};
   double run_s = 10;  ///< tapping: duration from the first press on

@@ -12,7 +12,7 @@
 
 namespace detent::playback {
 
-/// One counted trial.
+/// One trial that counts.
 struct TrialRow {
   std::string participant;
   std::size_t trial = 0;              ///< from 1, practice not counted
@@ -23,7 +23,8 @@ struct TrialRow {
   std::size_t answered = 0;           ///< the chosen button
   bool correct = false;               ///< no meaning in rating
   std::optional<double> level;        ///< threshold: by what share x has more
-  std::optional<double> rating;       ///< of a scale
+  /// felt presses of each choice, then of X; empty for journals that did not record them
+  std::optional<double> rating;
   /// Timing: as defined in study/statistics/press_timing.h. For tapping each tap is a row.
   std::optional<double> interval_s, window_s, press_s, pressWithin_s;
   std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA counts all choices together
@@ -58,8 +59,8 @@ DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 struct Sensitivity {
   double differencing = 0, independent = 0;
   double low = 0, lowIndependent = 0;  ///< from the lower limit (97.5 %) of the share correct
-  /// True if no error was made: the first two then assume half an error (Macmillan & Kaplan, Psychological
-  /// Bulletin 1985).
+  /// True if there was no error. `differencing` and `independent` then assume half an error (Macmillan &
+  /// Kaplan, Psychological Bulletin 1985).
   bool noError = false;
 };
 Sensitivity sensitivityOf(const Count& errors);
@@ -79,7 +80,7 @@ struct PairResult {
   Count errors;                       ///< of all participants
   Interval wilson, clopperPearson;
   Sensitivity sensitivity;
-  std::vector<AbxTest> tests;  ///< complete ones: all trials of the pair answered
+  std::vector<AbxTest> tests;  ///< tests of pairs of which all trials were answered
   /// number of tests that were not passed; none: unknown for printed counts
   std::optional<std::size_t> failCount;
 };
@@ -88,7 +89,7 @@ const char* markOf(const PairResult& pair);
 /// A pair's figures from its count; tests and failCount are added later.
 PairResult pairResult(std::size_t first, std::size_t second, const Count& errors);
 
-/// One column of Table 1: all who listened, felt and answered in the same way.
+/// One column of Table 1: the participants who listened, felt and answered in the same way.
 struct GroupResult {
   std::string condition;  ///< without "repeated"
   Listening listening = Listening::quiet;
@@ -103,7 +104,7 @@ struct GroupResult {
   double meanTime_min = 0, sdTime_min = 0;          ///< per participant, sum of the answers' times
   std::vector<PairResult> pairs;                    ///< abx
   std::vector<std::vector<std::size_t>> confusion;  ///< matching: [x][answer]
-  Count fails;                                      ///< ABX tests not passed, of all complete ones
+  Count fails;                                      ///< ABX tests that were not passed, of all complete ones
 };
 
 /// Comparison of two conditions. If the same people were in both, each is their own control.
@@ -130,7 +131,8 @@ struct StudyResults {
   std::vector<GroupResult> groups;           ///< abx, matching
   std::vector<GroupComparison> comparisons;  ///< abx, matching
   std::vector<FigureTable> tables;           ///< all but abx
-  bool unfinishedLeftOut = false;            ///< of groups, comparisons and tables
+  /// unfinished participants are left out of groups, comparisons and tables
+  bool unfinishedLeftOut = false;
   /// The same by the other rule for unfinished participants; empty if there are none.
   std::vector<GroupResult> otherGroups;
   std::vector<FigureTable> otherTables;

@@ -11,37 +11,41 @@
 
 namespace detent::playback {
 
-/// One question: which of `choices` is X? Are the two the same? Threshold: which has more? Rating: how good
-/// is it, or which is better? Timing: press, at a time.
+/// One question. abx, matching: which of `choices` is X? same/different: are the two the same? threshold:
+/// which has more? rating: how good is it, or which is better? timing: press at a time.
 struct Trial {
   std::size_t number = 0;  ///< from 1, practice first, in the order shown
   bool practice = false;   ///< answered and stored, but not counted
   FeedbackMode mode = FeedbackMode::full;
   std::vector<std::size_t> choices;  ///< indices of buttons in the order shown; abx: alpha, beta
-  std::size_t target = 0;  ///< which of `choices` X is, or has more; same/different: 1 if they differ; else 0
-  double interval_s = 0, window_s = 0;  ///< timing: cue and window; else 0
-  bool breakBefore = false;             ///< the participant may rest before it, as long as they like
+  /// index in `choices` of X, or of the one that has more; same/different: 1 if the two differ; else 0
+  std::size_t target = 0;
+  double interval_s = 0, window_s = 0;  ///< timing: interval to the cue, and duration of the window; else 0
+  bool breakBefore = false;             ///< the participant may rest before this trial for any time
 };
 
-/// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and
-/// who is X are filled alike; of two trials that remain each has another alpha and another X, and which side
-/// X falls on then alternates from pair to pair. same/different: likewise, for who is first and whether the
-/// second is the other. matching: every button `trials` times in every mode, the
-/// choices in a new order each time. threshold: every button `trials` times in every mode; what has more
-/// stands first as often as second, and which level it is follows from the answers (next_level.cpp): until
-/// then its place holds the button itself. timing: every button `trials` times in every mode, intervals and
-/// windows each as often as the others. rating: every button, or pair, `trials` times in every mode; of a
-/// pair each is first as often as second. Trials are shuffled within a mode; of rating, each button or pair
-/// once before any comes again. Modes are blocks with a break between; over participants their order is
-/// counterbalanced by `place`, which is planned (planned_places.h) or the number of those who began before.
-/// So are the pairs where each gets some: they differ by at most one. Studies of version 1 were shuffled as
-/// one list, and X was balanced by sides alone.
+/// Makes the list of trials: `trials` of every pair (abx, same/different, pairwise rating) or button (all
+/// others) in every mode.
+/// abx: within a pair and mode, the four combinations of "which is alpha" and "which is X" are equally
+/// frequent. Of two remaining trials each has another alpha and another X; the side of X then alternates from
+/// pair to pair. same/different: likewise, for which button is first and whether the second one is the other
+/// button.
+/// matching: the choices have a new order in each trial.
+/// threshold: the choice that has more is first as often as second. Its level follows from the answers
+/// (next_level.cpp); until then, its place contains the button itself.
+/// timing: all intervals and windows are equally frequent.
+/// rating: in pairs, each button is first as often as second.
+/// Trials are shuffled within a mode; in rating, each button or pair occurs once before any occurs again.
+/// Modes are blocks with a rest between. Over participants, the order of modes is counterbalanced by `place`,
+/// which is planned (planned_places.h) or the number of participants who began before. If each participant
+/// gets only some pairs, these are counterbalanced too: their numbers differ by at most one. Studies of
+/// version 1 were shuffled as one list, and X was balanced only by sides.
 std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t place = 0);
 
-/// The buttons that are felt, in the order shown: `choices`; in same/different the first of them twice where
-/// the right answer is "same".
+/// The buttons that are felt, in the order shown: `choices`, or the first of them twice if the right answer
+/// is "same".
 std::vector<std::size_t> feltButtons(const StudyDesign& design, const Trial& trial);
-/// An answer as journals and tables name it: "same", "different", or the label of the choice.
+/// An answer in the words of journals and tables: "same", "different", or the label of the choice.
 std::string answerName(const Study& study, const Trial& trial, std::size_t choice);
 
 /// Number of trials that count.
