@@ -25,8 +25,8 @@ namespace {
 
 // Largest confidence of a doubted import. Below `confidenceBar`: refused unless the user lowers the bar;
 // above: reported as a remark.
-constexpr double contradicted = 0.2;  // the page says otherwise
-constexpr double unconfirmed = 0.4;   // the page does not say
+constexpr double contradicted = 0.2;  // a doubt that the page contradicts
+constexpr double unconfirmed = 0.4;   // a doubt about something that the page does not confirm
 constexpr double inPart = 0.6;        // the reading is right but incomplete: reported, not refused
 
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke
@@ -104,7 +104,7 @@ std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns
   return rows;
 }
 
-/// A stroke's way to the other one and back, in shares of the strokes' height and of the travel.
+/// Steps of a stroke to the other stroke and back; limits in shares of the strokes' height and of the travel.
 struct StepOver {
   double height, within;  ///< of each of the two steps
   double leastAlong;      ///< of the way along the other stroke

@@ -40,7 +40,7 @@ std::vector<Point> scaled(const StrokePoints& stroke, const Scale& scale) {
   return line;
 }
 
-/// At equal steps along `from`, so that dense stretches do not count more.
+/// Mean distance at equal steps along `from`, so that dense stretches do not count more.
 double meanDistance(const std::vector<Point>& from, const std::vector<Point>& to) {
   constexpr double step = 0.01;  // share of the span
   double sum = 0, n = 0, next = 0, travelled = 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t longest_bytes = 48,
                       fewestLetters = 3;  // longer ones are sentences, shorter ones units and numbers
-constexpr double reach = 0.25;            // above the frame, of its height
+constexpr double reach = 0.25;            // largest distance above the frame, as a share of its height
 constexpr double level_deg = 1;
 
 bool mayBeTitle(const TextBox& text) {

@@ -14,7 +14,8 @@ Result<StrokeCurve> startingAtRest(const StrokeCurve& curve) {
     knots[i].displacement_mm = std::max(knots[i].displacement_mm, 0.0);
     if (knots[i].displacement_mm <= 0) ++atRest;
     if (i == 0) continue;
-    // A piece compressed along displacement becomes steeper by the same factor; a vertical one has no slope.
+    // The slope of a piece that is compressed along displacement grows by the same factor; a vertical piece
+    // has none.
     const double width_mm = before[i].displacement_mm - before[i - 1].displacement_mm;
     const double squeezed_mm = knots[i].displacement_mm - knots[i - 1].displacement_mm;
     const double factor = squeezed_mm > 0 ? width_mm / squeezed_mm : 0;

@@ -56,7 +56,8 @@ std::optional<Reach> pixelsEndAt(const CurveTrace& curve, const std::vector<Curv
 /// Returns true if connected pixels lie to the right of a curve's end and above it: a bottom-out that begins
 /// just beyond the edge, not a straight continuation of the horizontal line that arrived there.
 bool turnsBeyond(Point end, Rgb color, const Raster& picture) {
-  constexpr int nearest_px = 4, farthest_px = 14;  // to the right: the frame's own line ends before this
+  // distance to the right of the curve's end; the frame's own line ends before it
+  constexpr int nearest_px = 4, farthest_px = 14;
   constexpr int riseHeight_px = 12;
   const int x0 = static_cast<int>(std::lround(end.x)), y0 = static_cast<int>(std::lround(end.y));
   std::set<std::pair<int, int>> seen;

@@ -158,8 +158,8 @@ void appendKnots(const Mean& mean, bool isVertical, std::vector<Knot>& knots) {
   knots.push_back({mean.displacement_mm, mean.forceAfter_N, 0, after});
 }
 
-/// Factor that brings the work of the mean between those of its curves; 1 if it already is, or if a curve has
-/// negative work.
+/// Factor on the forces that brings the work of the mean between the works of its curves; 1 if it is there
+/// already, or if a curve has negative work.
 double factorForWork(const StrokeCurve& mean, const std::vector<AlignedCurve>& curves) {
   const auto workOf = [](const StrokeCurve& curve) {
     return curve.area_mJ(curve.start_mm(), curve.end_mm());

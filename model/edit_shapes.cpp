@@ -127,7 +127,7 @@ void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last,
     if (i > first) k.slopeBefore_N_per_mm = map.mappedSlope(k.slopeBefore_N_per_mm);
     if (i < last) k.slopeAfter_N_per_mm = map.mappedSlope(k.slopeAfter_N_per_mm);
     if (i == first || i == last) continue;
-    // exact, so that a vertical piece stays vertical and a flat one flat
+    // computed exactly, so that vertical pieces stay vertical and flat pieces flat
     k.displacement_mm =
         k.displacement_mm == apex.displacement_mm ? to.displacement_mm : map.mapped_mm(k.displacement_mm);
     k.force_N = k.force_N == apex.force_N ? to.force_N : map.mapped_N(k.force_N);

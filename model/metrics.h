@@ -30,11 +30,12 @@ struct StrokeMetrics {
 };
 
 struct StateMetrics {
-  double travel_mm = 0;  ///< from displacement zero to the end of the press
+  double travel_mm = 0;  ///< distance from displacement zero to the end of the press
   StrokeMetrics press;
   std::optional<StrokeMetrics> release;
   std::optional<double> hysteresisArea_mJ;  ///< press minus release over the displacements both cover; signed
-  std::optional<CurvePoint> operatingPoint, resetPoint;  ///< with the force of their stroke there, when known
+  /// with the force of their stroke there, if they are known
+  std::optional<CurvePoint> operatingPoint, resetPoint;
 };
 
 StrokeMetrics metricsOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings = {});

@@ -28,7 +28,8 @@ enum class FailureCode {
 /// "unreadable_input": name for scripts.
 std::string_view nameOf(FailureCode code);
 
-/// Subject of a Failure. Text made at run time is a name, a literal is a part in words.
+/// Subject of a Failure. Text made at run time is the name of a file or device; a literal is a part in words,
+/// such as "press curve".
 struct Subject {
   enum class Kind {
     none,

@@ -110,7 +110,7 @@ double startBefore(const StrokeCurve& curve, const Chord& before, const Chord& r
 // A stroke in the order travelled; the sign turns a release's minima into maxima.
 struct Travelled {
   std::vector<MonotoneStretch>
-      stretches;  // in the order travelled, ends exchanged for a release, force times `sign`
+      stretches;  // in the order travelled, with ends exchanged for a release, and force times `sign`
   double sign;
 };
 
@@ -312,7 +312,7 @@ std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const B
 
 double jumpArea_mJ(const StrokeCurve& curve, const Section& jump) {
   DETENT_CHECK(jump.kind == SectionKind::jump, "a jump section");
-  // On a press the curve lies below its tactile force, on a release, travelled backwards, above it. Both
+  // A press curve lies below its tactile force; a release curve, travelled backwards, lies above it. Both
   // signs cancel.
   return std::max(0.0, -curve.areaAbove_mJ(jump.fromForce_N, jump.from_mm, jump.to_mm));
 }

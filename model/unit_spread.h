@@ -36,7 +36,7 @@ struct StateSpread {
 
 struct UnitSpread {
   Button mean;                      ///< aligned by features (blend.h), with few knots
-  std::vector<StateSpread> states;  ///< as the mean's
+  std::vector<StateSpread> states;  ///< states of the mean, in order
   std::vector<double>
       distance_N;  ///< per unit: rms distance from the median press of all units, up to the first bottom-out
   std::vector<std::size_t>

@@ -329,7 +329,7 @@ constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
 // distance of a tactile point's force label from the point
 constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // of a label with two or three lines
-constexpr double measureGap_px = 8;   // between a measured line and its label
+constexpr double measureGap_px = 8;   // distance between a measured line and its label
 
 /// Points on both strokes, close enough to tell whether a label covers them.
 std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& scene) {
@@ -529,8 +529,8 @@ std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphSce
   return seen;
 }
 
-constexpr QSizeF legendGap_px{14, 8};  // to the plot's edges
-constexpr double legendText_px = 35;   // from the key's left end
+constexpr QSizeF legendGap_px{14, 8};  // distance to the plot's edges
+constexpr double legendText_px = 35;   // distance from the key's left end
 
 struct LegendEntry {
   QString name;
@@ -578,7 +578,8 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphSce
   return best;
 }
 
-// Forces first, because they belong beside their points; a contact's name may stand anywhere on its line.
+// Forces are tagged first, because they belong beside their points; a contact's name may be anywhere on its
+// line.
 void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                const std::vector<Contact>& contacts) {
   Tags tags(painter, map, scene);
@@ -904,7 +905,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
   painter.setPen(Qt::NoPen);
-  // Their edges are vertical, horizontal, or under a curve.
+  // The edges of the shaded areas are vertical, horizontal, or under a curve, so they need no antialiasing.
   painter.setRenderHint(QPainter::Antialiasing, false);
   shadePress(painter, map, scene);
   shadeJumpAreas(painter, map, scene, Stroke::press);

@@ -87,7 +87,7 @@ class ButtonDocument : public QObject {
   void originChanged();  ///< origin or sheet
   void cutoutChanged();
   void annotationsChanged();
-  void originWanted();  ///< by wantOrigin, if it must be read
+  void originWanted();  ///< emitted by wantOrigin if the origin must be read
   /// Path, name or unsaved mark.
   void titleChanged();
 

@@ -8,7 +8,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr double largestFixed = 1e9, smallestFixed = 1e-5;  // beyond: powers of ten
+// numbers beyond these limits are written with powers of ten
+constexpr double largestFixed = 1e9, smallestFixed = 1e-5;
 constexpr int mostDecimals = 17;
 
 // C digits with the decimal sign of this locale.

@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// All may take seconds and are called on threads of their own.
+/// All functions may take seconds and are called on separate threads.
 struct FeelDevices {
   std::function<Result<std::unique_ptr<playback::LivePlayer>>(const playback::PlayerSettings&,
                                                               const playback::LiveProgram&)>

@@ -351,7 +351,7 @@ void FeelPlayer::record() {
   recording_->readings.push_back({time_s, force ? status_.force_N : status_.displacement_mm});
 }
 
-// Readings must continue while a finger rests. Otherwise the engine takes the next one for that of a
+// Readings must continue while a finger rests. Otherwise the engine takes the next reading for that of a
 // reconnected sensor.
 void FeelPlayer::pushFinger() {
   switch (finger_) {

@@ -171,7 +171,7 @@ class FeelSession : public QObject {
   std::size_t state_ = 0;
   bool watched_ = false;
   std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last press by hand
-  /// state in which the last press by hand began, and the running one
+  /// state in which the last press by hand began; state in which the running press began
   std::size_t ownState_ = 0, pressBegan_ = 0;
   bool drawsOwn_ = false;
   std::shared_ptr<const ReferenceDrawing> reference_;

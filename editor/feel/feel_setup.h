@@ -49,7 +49,7 @@ class FeelSetup : public QWidget {
   void addFeeling(QFormLayout& form);
   void addSound(QFormLayout& form);
   void addSensor(QFormLayout& form);
-  void take();  ///< from the widgets
+  void take();  ///< reads the settings from the widgets
   void tell();
   void showChosen();
   void showUnits();

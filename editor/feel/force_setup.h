@@ -33,7 +33,7 @@ class ForceSetup : public QWidget {
  private:
   void addDevice(QFormLayout& form);
   void addLimits(QFormLayout& form);
-  void take();  ///< from the widgets
+  void take();  ///< reads the settings from the widgets
   void chooseFirmware();
   void showRows();
   void showUnits();

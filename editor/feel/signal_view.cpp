@@ -34,7 +34,8 @@ double niceStep(double span, int fewest) {
   return power;
 }
 
-/// The drawn amplitude range: a few steps only, so that the scale stands still while a point is dragged.
+/// The drawn amplitude range. It has only a few steps, so that the scale does not change with every move of a
+/// dragged point.
 double amplitudeSpan(double peak) {
   for (const double span : {lowestSpan, 0.25, 0.5})
     if (peak <= span) return span;
@@ -306,7 +307,7 @@ void SignalView::paintSpectrum(QPainter& painter, const Layout& layout, const Gr
   if (picture_.isNull()) return;
   const double highest_Hz = static_cast<double>(s.rows - 1) * s.row_Hz;
   const auto y = [&](double f) { return area.bottom() - f / highest_Hz * area.height(); };
-  // Pixel centres stand at their times and frequencies; half a pixel lies beyond each edge.
+  // Pixel centres are at the spectrogram's times and frequencies, so half a pixel lies beyond each edge.
   painter.save();
   painter.setClipRect(area);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);

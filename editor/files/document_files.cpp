@@ -115,7 +115,7 @@ QString suggestedPath(const ButtonDocument& document, const QString& folder, con
   while (name.startsWith('.')) name.remove(0, 1);
   if (name.isEmpty()) name = QStringLiteral("button");
   name.truncate(120);
-  // Beside the button's own file: the last folder may be that of the page read last.
+  // The path is proposed beside the button's own file, because the last folder may be that of a page.
   const QDir place = document.path().isEmpty() ? QDir(folder) : QFileInfo(document.path()).dir();
   QString path = place.filePath(name + ending);
   for (int n = 2; QFileInfo::exists(path); ++n)

@@ -46,7 +46,7 @@ void FileWatch::forget(const QString& path) {
   watcher_.removePath(folder);
 }
 
-// A file that was renamed over has to be added again: the watcher follows the old one.
+// A file that was replaced by a rename must be added again, because the watcher follows the old file.
 void FileWatch::watchOnDisk(const QString& path) {
   if (QFileInfo::exists(path) && !watcher_.files().contains(path)) watcher_.addPath(path);
   const QString folder = QFileInfo(path).absolutePath();

@@ -19,7 +19,8 @@ const QString importPicture = QStringLiteral("import.draft.png");
 
 std::unique_ptr<QLockFile> lockOf(const QString& sessionFolder) {
   auto lock = std::make_unique<QLockFile>(sessionFolder + ".lock");
-  lock->setStaleLockTime(0);  // stale only when its process is gone, however long an editor stays open
+  // a lock is stale only if its process has ended, however long an editor stays open
+  lock->setStaleLockTime(0);
   return lock;
 }
 

@@ -88,7 +88,7 @@ void ForecastMatrix::setDocuments(const std::vector<ButtonDocument*>& documents)
   soon_.start();
 }
 
-/// Below the diagonal: the first button has no row, the last one no column.
+/// Forecasts are below the diagonal, so the first button has no row and the last one no column.
 void ForecastMatrix::nameRows() {
   for (int i = 0; i < table_->rowCount(); ++i) {
     const auto at = static_cast<std::size_t>(i);

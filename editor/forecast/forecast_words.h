@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Forecasts in words, as the window says them.
+// Forecasts in the words of the window.
 
 #include <QString>
 
@@ -8,8 +8,8 @@
 
 namespace detent::editor {
 
-/// "People tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is." As the
-/// terminal and the report say it.
+/// A forecast in the same words as on the terminal and in reports: "People tell these apart: 0 to 7 errors in
+/// 90. Most differs on the release: how strong it is."
 QString forecastWords(const playback::PredictedPair& pair);
 /// Verdict and range of errors in a few words, for a line of a list.
 QString shortForecastWords(const playback::PredictedPair& pair);

@@ -51,7 +51,7 @@ class AdjustTool : public PageTool {
     bool moved = false;
   };
   std::optional<PageHandle> handleAt(QPointF widget) const;
-  /// The tick whose mark or value stands there; a corner does not hide it.
+  /// The tick whose mark or value is at a place, even if a corner is there too.
   std::optional<PageHandle> tickAt(QPointF widget) const;
   Corrections moved(const Drag& drag, QPointF to, Qt::KeyboardModifiers modifiers) const;
   QString label(const PageHandle& handle) const;

@@ -239,7 +239,7 @@ void AxisBox::turn(bool falls) {
     AxisCorrection& ends = c.axis(axis_);
     if (ends.min && ends.max && (*ends.min > *ends.max) != falls) std::swap(ends.min, ends.max);
   });
-  follow(false);  // the button that was clicked shows the axis as it is
+  follow(false);  // the clicked button shows the axis' actual direction again
 }
 
 QLineEdit* AxisBox::refusedField() {

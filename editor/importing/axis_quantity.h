@@ -12,7 +12,7 @@ namespace detent::editor {
 /// Arguments for readQuantity(); QuantityReading::shown is then in the printed unit.
 struct AxisQuantity {
   Quantity quantity = Quantity::number;
-  DisplayUnits units;  ///< the one of the axis is the printed one
+  DisplayUnits units;  ///< the axis' own unit is the printed one
 };
 
 /// `printedUnit` as AxisReading::unit; numbers of an unknown unit have no unit.

@@ -19,7 +19,7 @@ using FrameCorners = std::array<importer::Point, 4>;
 
 enum class GraphAxis { x, y };
 
-/// A place on an axis and the value that stands there.
+/// A place on an axis and its value.
 struct AxisTick {
   importer::Point at;  ///< page units, on or beside the axis' edge of the frame
   double value = 0;    ///< in the axis' unit
@@ -58,7 +58,8 @@ struct Corrections {
   bool swapStrokes = false;
   bool xIsOther = false, yIsOther = false;  ///< the axis measures another quantity: nothing can be imported
   std::string
-      curve;  ///< of several switches in the plot the one to take, as StrokeHints::curve; empty: the only one
+      /// the switch to be taken if the plot shows several, as StrokeHints::curve; empty: the only one
+      curve;
   std::optional<double> dpi;  ///< (0, 1200]
   friend bool operator==(const Corrections&, const Corrections&) = default;
 
@@ -77,8 +78,8 @@ std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, im
 /// The place with this share on the axis' edge of the frame.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
 
-/// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them.
-/// Without corners they are lost.
+/// Converts given ends to ticks at the ends of the axis, so that other ticks can be added. Without corners
+/// the ends are lost.
 void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
 
 /// The ends that given ticks define. If all given ticks agree with the scale that was found, it is kept:

@@ -29,7 +29,7 @@ bool isCorrection(RemedyKind kind);
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies);
 
 QString inWords(const importer::Remark& remark, const DisplayUnits& units);
-/// One line, empty without evidence.
+/// One line; empty without evidence.
 QString inWords(const std::vector<importer::EvidenceItem>& evidence, const DisplayUnits& units);
 
 /// "Which of the switches? A (#000000), B (#ff0000)"

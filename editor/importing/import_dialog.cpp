@@ -160,7 +160,7 @@ struct ImportDialog::Impl {
   FindingsPanel* findings;
   AdviceBar* advice;
 
-  QWidget* side = nullptr;  // with the list of pages
+  QWidget* side = nullptr;  // contains the list of pages
   QCheckBox* graphsOnly = nullptr;
   QStackedWidget* middle = nullptr;
   ElidedLabel *document = nullptr, *hint = nullptr;
@@ -359,7 +359,7 @@ void ImportDialog::Impl::build() {
   QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
   QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
   QObject::connect(stop, &QPushButton::clicked, &state, &ImportState::cancel);
-  // Without this check a refused field would count with its previous value.
+  // Without this check a refused field would keep its previous value unnoticed.
   QObject::connect(accept, &QPushButton::clicked, &state, [this] {
     if (view->takeEditor() && findings->acceptable()) state.acceptAll();
   });

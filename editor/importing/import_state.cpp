@@ -331,7 +331,7 @@ void ImportState::takeFacts(const DocumentFacts& facts) {
 }
 
 void ImportState::askForPages() {
-  constexpr int firstPages = 8;  // as many as a list shows before it says which are visible
+  constexpr int firstPages = 8;  // number of pages that a list shows before it reports which are visible
   for (int number = 1; number <= std::min(firstPages, pageCount()); ++number)
     pageRef(number).thumbnailTicket =
         client_.ask(ReadThumbnail{number}, number == 1 ? Urgency::visible : Urgency::background);
@@ -546,7 +546,7 @@ void ImportState::selectNext(int by) {
   if (all.empty()) return;
   auto at = std::lower_bound(all.begin(), all.end(), current_.value_or(GraphId{currentPage_, 0}));
   std::ptrdiff_t next = at - all.begin() + by;
-  if (!current_ && by > 0) --next;  // the current page has no graph: the first one after it
+  if (!current_ && by > 0) --next;  // if the current page has no graph, the first graph after it is next
   selectGraph(all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, std::ssize(all) - 1))]);
 }
 

@@ -47,7 +47,7 @@ struct ImportGraph {
   GraphId id;
   std::optional<importer::ListedGraph> listed;  ///< empty if framed by hand, and for a force meter's log
   QImage thumbnail;
-  bool ticked = false;  ///< to be imported with the others
+  bool ticked = false;  ///< ticked to be imported with the others
   /// names or numbers (Corrections::curve) of the switches to be imported, if the graph has several
   std::set<std::string> tickedCurves;
   bool confirmed = false;  ///< a person has checked the doubtful result against the page

@@ -19,7 +19,7 @@ constexpr double differenceHeight = 0.5;  // of the graphs'
 constexpr int differenceSamples = 400;
 constexpr int mostTicks = 5, leastTicks = 2;
 constexpr double linesOfTick = 2.2;  // heights of a text line for each tick label
-constexpr int leastName_px = 40;     // in the legend
+constexpr int leastName_px = 40;     // smallest width of a name in the legend
 
 /// Empty beyond the curve's ends, and where a graph has no such stroke.
 std::optional<double> forceAt(const ForceGraph& graph, Stroke stroke, double at_mm) {

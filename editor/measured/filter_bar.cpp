@@ -15,7 +15,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr std::size_t mostRanges = 6;  // in view at once
+constexpr std::size_t mostRanges = 6;  // number of ranges that are visible at once
 
 }  // namespace
 

@@ -23,7 +23,7 @@ Widget* large(Widget* widget, int points) {
 
 KeyedPage::KeyedPage(QWidget* parent) : QWidget(parent) {
   auto* inner = new QWidget;
-  inner->setMaximumWidth(mostWidth_px);  // in the middle of a screen of any width
+  inner->setMaximumWidth(mostWidth_px);  // keeps the page in the middle of a wide screen
   auto* outer = new QHBoxLayout(this);
   outer->setContentsMargins(margin_px, margin_px, margin_px, margin_px);
   outer->addWidget(inner);

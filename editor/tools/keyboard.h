@@ -7,7 +7,7 @@
 
 namespace detent::editor {
 
-/// One arrow key press; Shift: ten times, Alt: a tenth.
+/// Step of one arrow key press; Shift: ten times, Alt: a tenth.
 inline constexpr double nudge_mm = 0.01, nudge_N = 0.001, nudgeSlope_N_per_mm = 0.001;
 
 /// Tab and Shift+Tab visit the points (of very many, without plain knots) and leave the canvas after the

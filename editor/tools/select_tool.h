@@ -36,7 +36,7 @@ class SelectTool : public Tool {
   std::optional<Mark> held_;
   bool wasSelected_ = false;
   bool adding_ = false;                 ///< Shift was down at the mouse press
-  std::vector<MarkId> selectedBefore_;  ///< marks before the rectangle, as of its start
+  std::vector<MarkId> selectedBefore_;  ///< selected marks when the rectangle was begun
   std::optional<MarkedState> pressedOn_;
   QPointF pressed_px_;
   CurvePoint pressedAt_;

@@ -213,7 +213,8 @@ class OutlinedStyle : public QProxyStyle {
     draw(seen);
   }
 
-  /// Fusion's outline is the window's colour, darkened; that of a focused control the highlight's.
+  /// Fusion derives a control's outline from the window's colour, darkened, and that of a focused control
+  /// from the highlight's.
   static void outline(QStyleOption& option) {
     constexpr int darkened = 140;  // by Fusion, per cent
     const QColor wanted = outlineOf(option);

@@ -93,7 +93,7 @@ QWidget* DocumentTab::checksPanel() {
   return checks_;
 }
 
-// The mark that stands there, else the section around it; in view.
+// Selects the mark at a place, or the section around it, and scrolls to it.
 void DocumentTab::showPlace(const WarningPlace& place) {
   if (place.state && *place.state < document_->button().states().size())
     document_->setActiveState(*place.state);

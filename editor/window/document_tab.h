@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One tab: a document, the place it is worked on, and what is to be said about it.
+// One tab: a document, its workspace, and the notices about it.
 
 #include <memory>
 #include <QPointer>

@@ -10,7 +10,7 @@ namespace detent::editor {
 /// Folder of the installed documents, or of those beside the sources; empty: they are not there.
 QString documentsFolder();
 
-/// Shows the pages of the guide, which stand as Markdown beside the program. GUI thread.
+/// Shows the pages of the guide, which are Markdown files beside the program. GUI thread.
 class GuideWindow : public QDialog {
   Q_OBJECT
 

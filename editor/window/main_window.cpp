@@ -113,7 +113,7 @@ QPalette currentDesktopPalette() {
 MainWindow::MainWindow(const WindowContext& context, QWidget* parent)
     : QMainWindow(parent), at_(context), systemPalette_(context.desktopPalette()) {
   setObjectName("mainWindow");
-  new WheelGuard(this);  // from the first widget on
+  new WheelGuard(this);  // installed before any widget exists
   new ScreenFit(this);
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -512,7 +512,7 @@ void MainWindow::compareWith(ButtonDocument* other) {
   compareAll({shown, other ? other : shown});
 }
 
-// A comparison that the shown button belongs to is kept as it is.
+// Keeps a comparison that contains the shown button.
 void MainWindow::compareShown(DocumentTab& tab) {
   if (comparison_ && comparison_->compares(tab.document())) return showView(CentreView::compare);
   compareWith(nullptr);
@@ -748,7 +748,7 @@ void MainWindow::storeWindow() {
   storeView(at_.view, at_.settings);
 }
 
-// With every button that comes, goes or is named: a session outlives a machine that is switched off.
+// Stored whenever a button is opened, closed or renamed, so that the session survives a power failure.
 void MainWindow::storeSession() {
   if (sessionHeld_) return;
   QStringList paths;
@@ -758,7 +758,7 @@ void MainWindow::storeSession() {
   at_.settings.setValue("session/shown", tabs_->current() ? tabs_->current()->document().path() : QString());
 }
 
-// A missing file is no trouble: nobody requested it.
+// Missing files are not reported, because nobody requested them.
 void MainWindow::restoreSession() {
   const QString shownPath = at_.settings.value("session/shown").toString();
   for (const QString& path : at_.settings.value("session/files").toStringList())
@@ -766,7 +766,8 @@ void MainWindow::restoreSession() {
   if (DocumentTab* shown = tabs_->withPath(shownPath)) tabs_->show(shown->document());
 }
 
-// The desktop has gone light or dark. Its own palette shows where ours does not stand before it.
+// The desktop has changed between light and dark. The desktop's own palette is only visible while ours is not
+// set.
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() != QEvent::ThemeChange) return;

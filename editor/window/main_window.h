@@ -39,7 +39,7 @@ struct WindowContext {
   QSettings& settings;
   Prompts& prompts;
   RecoveryStore& recovery;
-  /// The desktop's colours as they are now; the program's own are given up for it.
+  /// The desktop's present colours; the program's own palette is removed to read them.
   std::function<QPalette()> desktopPalette = &currentDesktopPalette;
 };
 
@@ -66,7 +66,7 @@ class MainWindow : public QMainWindow {
   void showView(CentreView view);
   /// Compares another button with the one that is shown.
   void compareWith(ButtonDocument* other);
-  /// These, the first as the one differences are counted from; shows the view.
+  /// Compares these buttons, with differences from the first one, and shows the comparison.
   void compareAll(const std::vector<ButtonDocument*>& documents);
   /// Compares the buttons of files; opens those that are not open yet.
   void compareFiles(const QStringList& paths);
@@ -195,7 +195,7 @@ class MainWindow : public QMainWindow {
   QPointer<ButtonDocument> otherDocument_;
   QPointer<ButtonDocument> shown_, shownBefore_;
   std::pair<ButtonDocument*, ButtonDocument*> felt_;  // A and B of the feel panel
-  bool otherChosen_ = false;                          // by hand; else B is the one that was shown before
+  bool otherChosen_ = false;  // true: B was chosen by hand; false: B is the button that was shown before
   QLabel* cursor_ = nullptr;
   QToolButton* units_ = nullptr;
   QToolBar* tools_ = nullptr;

@@ -24,7 +24,7 @@
 namespace detent::editor {
 namespace {
 
-/// Shows a window beside the main one; it is made when it is first wanted.
+/// Shows a window beside the main one; it is made at its first use.
 template <class Make>
 void showBeside(QPointer<QDialog>& window, const Make& make) {
   if (!window) window = make();
@@ -243,7 +243,7 @@ void MainWindow::makeViewActions() {
   menu->addAction(fullScreen);
 }
 
-// One of a set: the menu shows which, so they have no keys of their own.
+// The menu shows which of these actions is chosen, so they have no keys.
 void MainWindow::makeUnitActions(QMenu* menu) {
   const auto add = [&](QActionGroup* group, const QString& kind, const QString& symbol, const QString& tip,
                        const std::function<void()>& act) {

@@ -16,7 +16,7 @@
 namespace detent::editor {
 namespace {
 
-// The background alone is its own; text and buttons stay those of the program.
+// Changes only the background; text and buttons keep the program's style.
 void paintNoticeBackground(QFrame& row) {
   const bool trouble = row.property("trouble").toBool();
   QPalette palette;

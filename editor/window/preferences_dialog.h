@@ -10,7 +10,7 @@
 
 namespace detent::editor {
 
-/// Each choice applies at once, but for the language, which is that of the next start. GUI thread.
+/// Each choice applies at once, except the language, which changes at the next start. GUI thread.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
 

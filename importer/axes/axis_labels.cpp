@@ -317,7 +317,7 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
   LabelRow row = labelsBelow(words, upsideDown(turned(r.box, 1)), ticks);
   if (row.regular < fewestRegular) return {};
   for (Box& word : row.words) word = turned(upsideDown(word), 3);
-  std::reverse(row.words.begin(), row.words.end());  // from above, as upright ones
+  std::reverse(row.words.begin(), row.words.end());  // from top to bottom, like upright labels
   return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
 

@@ -16,7 +16,7 @@ namespace detent::importer {
 struct Hand {
   int font = 0;           ///< of OpenCV's Hershey fonts
   double height_px = 0;   ///< of a digit, > 0
-  double advance_px = 0;  ///< from digit to digit, > 0
+  double advance_px = 0;  ///< distance from digit to digit, > 0
 };
 
 /// Width of a text in advances of a digit, as in common typefaces.

@@ -68,7 +68,7 @@ std::vector<Box> joinedParts(std::vector<Box> lines) {
     i = 0;
   }
   if (lines.size() == before) return {};
-  // Lines whose parts were joined separately now stand side by side.
+  // Lines whose parts were joined separately are now beside each other, so they are joined too.
   return textLines(lines, 1.3);
 }
 

@@ -29,7 +29,7 @@ class LightModel {
 
  private:
   std::string bytes_;
-  std::vector<std::string> letters_;  // by code point, from the first private one on
+  std::vector<std::string> letters_;  // by code point, from the first private code point on
 };
 
 }  // namespace detent::importer

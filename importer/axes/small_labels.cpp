@@ -65,7 +65,7 @@ class Comparison {
 struct JudgedLabel {
   const LabelScale* scale = nullptr;
   double score = -std::numeric_limits<double>::max();  ///< nats
-  double likeness = -1;                                ///< of the label with the lowest one
+  double likeness = -1;                                ///< likeness of the label that agrees least
 };
 
 /// Evidence of a label's pixels in nats, allowing for noise and an unknown typeface. Pixels that scaling and

@@ -57,8 +57,8 @@ int regularity(const std::vector<double>& positions, const std::vector<double>& 
                   lines.size() >= 3 ? atLines(positions, lines, tolerance) : 0);
 }
 
-/// Returns true if nearly all words are in the progression. Letters of a vertical title are evenly spaced by
-/// chance, and more numerous than labels, but others stand between.
+/// Returns true if nearly all words are in the progression. Letters of a vertical title may be evenly spaced
+/// by chance, and be more numerous than labels, but other letters are between them.
 bool allInStep(const LabelRow& row) {
   constexpr int fewest = 4;
   return row.regular >= fewest && 4 * row.regular >= 3 * static_cast<int>(row.words.size());
@@ -115,7 +115,7 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
     column.regular = regularity(positions, lines, seed.height(), r.height());
     column.height_px = seed.height();
     const bool nearer = !best.words.empty() && seed.x1 > best.words.front().x1;
-    // Of equally regular columns the one nearest to the axis, because titles stand farther out.
+    // Of equally regular columns the nearest to the axis ranks first, because titles are farther out.
     const auto rank = std::tuple(allInStep(column), column.regular, nearer);
     if (rank > std::tuple(allInStep(best), best.regular, false)) best = std::move(column);
   }

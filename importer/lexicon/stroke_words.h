@@ -17,8 +17,8 @@ namespace detent::importer {
 /// difference is no known confusion of letters.
 std::optional<Stroke> strokeOfWord(std::string_view word, TextSource source = TextSource::recognised);
 
-/// The stroke that a folded word may be a misread name of, with letters wrong that nothing explains. Proves
-/// nothing by itself.
+/// The stroke for which a folded word may be a misread name, even with letters that no known confusion
+/// explains. Proves nothing by itself.
 std::optional<Stroke> strokeLike(std::string_view word);
 
 /// The stroke of a word that names one only as the whole label: Dutch "op", Italian "su".

@@ -75,7 +75,7 @@ double proportionOf(const DataColumn& a, const DataColumn& b) {
   double worst = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i)
     if (!std::isnan(a.values[i])) worst = std::max(worst, std::abs(b.values[i] - k * a.values[i]));
-  constexpr double within = 0.004;  // share of the span: the last digit of a coarse one
+  constexpr double within = 0.004;  // share of the span, for the rounding of a column with few digits
   return worst <= within * (b.high - b.low) ? k : 0;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One picture that cannot be decoded must not cost the page its other graphs. Private to importer/page.
+// Keeps the other graphs of a page if one of its pictures cannot be decoded. Private to importer/page.
 
 #include "importer/page/mupdf_context.h"
 

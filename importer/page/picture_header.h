@@ -36,7 +36,7 @@ struct PictureHeader {
   int orientation = 1;              ///< EXIF, 1..8
   std::optional<double> dpi;        ///< the horizontal one
   bool complete = true;             ///< false: the file ends before its end mark or before its last pixel
-  std::size_t directoryOffset = 0;  ///< TIFF: where this picture's directory stands
+  std::size_t directoryOffset = 0;  ///< TIFF: offset of this picture's directory
 };
 
 /// All pictures of the file, first one first; empty if the header cannot be understood. At most

@@ -81,7 +81,7 @@ std::vector<bool> Visibility::seenOnce() const {
       for (std::size_t k = kept.size(); k-- > 0 && !copy;) {
         if (letters_[i].letter.x - letters_[kept[k]].letter.x > nearly * letters_[i].letter.size) break;
         copy = isCopy(i, kept[k]);
-        // the drawn copy counts, not the invisible one
+        // the drawn copy is kept, not the invisible one
         if (copy && letters_[kept[k]].sight == Sight::ofPicture) kept[k] = i;
       }
       if (!copy) kept.push_back(i);

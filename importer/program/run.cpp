@@ -415,8 +415,7 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
   }
 }
 
-/// Key for an input whose outputs could not be written. That says nothing about the input, and it ends the
-/// batch.
+/// Key for an input whose outputs could not be written. This is no fault of the input, and it ends the batch.
 constexpr const char* notWritten = "outputs not written";
 
 /// Answer of a child process: the key of its input on the first line, then the lines of the report.

@@ -303,7 +303,8 @@ std::optional<RefinedAxes> refineAxes(const PageView& view, const PlotFrame& fra
   if (refined.shape != SheetShape::bent) {
     problem.setUnknowns(refined.shape == SheetShape::tilted ? unknownsTilted : unknownsAsRead);
     problem.solve(
-        SheetShape::tilted);  // also if the axes stay: their error is that of a sheet that may be tilted
+        // computed also if the axes are kept: their error is that of a sheet that may be tilted
+        SheetShape::tilted);
     if (refined.shape == SheetShape::asRead) problem.setUnknowns(unknownsAsRead);
   }
   const double least = refined.shape == SheetShape::bent     ? bent

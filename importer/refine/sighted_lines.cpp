@@ -22,7 +22,7 @@ constexpr int halfWidest_px = 9;       // thicker lines are bars
 /// it.
 struct AxisView {
   bool ofForce;
-  const cv::Mat& darkness;  // with rows along the line
+  const cv::Mat& darkness;  // transposed for the force axis, so that the lines are vertical
   const AxisCalibration& calibration;
 
   const AxisReading& reading() const { return ofForce ? calibration.y : calibration.x; }

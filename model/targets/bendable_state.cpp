@@ -446,8 +446,8 @@ void BendableState::addRulesOfContacts() {
 void BendableState::findGaps() {
   if (!release_) return;
   const StrokeCurve &press = state_.graph.press(), &release = *state_.graph.release();
-  double vertical_mm =
-      std::numeric_limits<double>::infinity();  // from there on a tiny displacement is any force
+  // displacement from which a tiny movement changes the force by any amount
+  double vertical_mm = std::numeric_limits<double>::infinity();
   for (const StrokeCurve* curve : {&press, &release})
     if (const BottomOut bottomOut = bottomOutOf(*curve, settings_); bottomOut.isSteep)
       vertical_mm = std::min(vertical_mm, bottomOut.displacement_mm);

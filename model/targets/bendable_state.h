@@ -47,13 +47,13 @@ class BendableState {
  public:
   /// Stretches at which a curve may bulge.
   enum class Bulges {
-    atKnots,  ///< at its own knots
+    atKnots,  ///< only at the curve's own knots
     finer     ///< also in the middle of a stretch without knots
   };
   /// Movement of the operating and the reset point.
   enum class Contacts {
     free,   ///< by themselves
-    riding  ///< with their place on the curve
+    riding  ///< contacts keep their place on the curve
   };
   BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges, Contacts contacts);
 

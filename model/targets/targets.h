@@ -23,7 +23,8 @@ struct FigureTarget {
 
 /// Targets that cannot be met together. Without any one of them the others can be met.
 struct TargetConflict {
-  std::vector<KeyFigure> figures;  ///< one: impossible by itself; two or more: the first two, given the rest
+  /// one figure: impossible by itself; two or more: the first two contradict, given the rest
+  std::vector<KeyFigure> figures;
   /// For a single figure: the nearest possible value on the way to the requested one, to 1/64 of the way.
   std::optional<double> reachable;
   Failure failure;         ///< the same as a Failure; for a single figure with the limiting rule

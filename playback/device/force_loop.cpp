@@ -21,7 +21,7 @@ constexpr double lateShare = 0.25;
 constexpr double queuePause_s = 0.0005;
 constexpr double longestGap = 4;  // periods; a longer pause is a stall
 constexpr int longestFade_steps =
-    4000;  // the force is gone long before; also ends the loop of a device that never answers
+    4000;  // longer than any fade of the force; also ends the loop of a device that never answers
 
 }  // namespace
 

@@ -21,7 +21,7 @@ constexpr double serialAnswer_s = 0.5;  // longest wait for an answer outside of
 constexpr double bootPause_s = 2.0;     // an Arduino resets when its port is opened
 constexpr double micro = 1e-6, nmPerMm = 1e6;
 
-constexpr int protocol = 2;  // with limits in the device itself
+constexpr int protocol = 2;  // protocol version in which the device itself has limits
 constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
 constexpr double tableSilence =
     0.8;  // share of the device's own timeout, because our times and its clock differ a little
@@ -236,7 +236,7 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
   }
   ownLaw_ = true;
   acknowledgedLines_ = table_.size();
-  // From now on the device's clock reveals a pause that ended the table.
+  // Forgotten, so that from now on only the device's clock reveals a pause that ended the table.
   heardTime_us_ = -1;
   ++sequence_;
   sendOrders(ForceCommand{});

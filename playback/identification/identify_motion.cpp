@@ -20,7 +20,8 @@ constexpr double longestSubstep_s = 100e-6;
 // use shorter ones, because far from the solution long ones converge to a wrong minimum.
 constexpr double stretch_s = 0.05, briefStretch_s = 0.02, goodOfStretch = 0.7, movedSteps = 6,
                  moved_mm = 0.02;
-// For slow links they are longer, because an initial state is determined by a number of samples, not by time.
+// Stretches are longer for slow links, because an initial state is determined by a number of samples, not by
+// time.
 constexpr double stretchPeriods = 16, briefStretchPeriods = 8;
 constexpr std::size_t leastStretches = 12;
 // After this many periods without an answer, the host or the link has paused. A device removes its force

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint64_t seed = 20261124;
 constexpr double restingMedian_N = 0.4;
-constexpr double restingSpreadBetween = 0.30;  // in the logarithm, like the spread within a finger
+// standard deviation of the logarithm, like the spread within a finger
+constexpr double restingSpreadBetween = 0.30;
 
 /// One position in each of `fingerCount` equal parts of 0..1, in random order.
 std::vector<double> positions(FixedRandom& random) {

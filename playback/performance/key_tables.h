@@ -126,7 +126,7 @@ class KeyTables {
 
   double end_m_ = 0, cell_m_ = 0;
   bool evenDamping_ = true;  ///< the same everywhere
-  std::vector<Cell> cells_;  ///< at their beginnings; and at the end
+  std::vector<Cell> cells_;  ///< values at the beginnings of the cells, and at the end of the last one
 };
 
 }  // namespace detent::playback

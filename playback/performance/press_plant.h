@@ -42,7 +42,7 @@ struct PressOutcome {
 struct PressEnergy {
   double muscle_J = 0;     ///< work of flexor and extensor on the finger
   double taken_J = 0;      ///< dissipated by dampers and play
-  double stored_J = 0;     ///< in motion, pulp, posture spring and button, minus the initial energy
+  double stored_J = 0;     ///< energy in motion, pulp, posture spring and button, minus the initial energy
   double moved_J = 0;      ///< sum of the absolute works: the scale for errors
   double playTaken_J = 0;  ///< part of `taken_J` due to play
 };

@@ -20,7 +20,7 @@ struct PressTask {
 /// Means over the noise of one finger. Shares in 0..1, times in s.
 struct PressStatistics {
   double peak_N = 0, impulse_Ns = 0;
-  double activation_s = 0, activationSpread_s = 0;  ///< from the first touch
+  double activation_s = 0, activationSpread_s = 0;  ///< times from the first touch
   double commandToActivation_s = 0, commandToActivationSpread_s = 0;
   double impactSpread_s = 0;  ///< of the time from command to the peak force
   double cycle_s = 0;         ///< command to end of press
@@ -34,7 +34,7 @@ struct PressPlan {
   PressCommand command;
   PressStatistics result;
   double accidental = 0;         ///< share of resting fingers that activate the button
-  double highestRate_per_s = 0;  ///< with at most 5 % misses and 5 % doubles; 0: not reachable
+  double highestRate_per_s = 0;  ///< highest rate with at most 5 % misses and 5 % doubles; 0: not reachable
   double timePerCorrectPress_s = 0;
 };
 

@@ -78,8 +78,8 @@ class Swing {
     return farthest_mm;
   }
 
-  /// One time step under the arriving force; of second order, because otherwise half a step would count as
-  /// delay.
+  /// Advances one time step under the arriving force. The method is of second order, because otherwise half a
+  /// step would count as delay.
   void move(double arrives_N) {
     const double mean_N = arrives_N + meanShare_ * (motor_N_ - arrives_N);
     motor_N_ += follows_ * (arrives_N - motor_N_);

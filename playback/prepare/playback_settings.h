@@ -44,7 +44,7 @@ enum class JumpFrequencySource {
 
 /// Relative levels of slope, jumps and bottom-out.
 enum class Feel {
-  paper,  ///< as K&L have it
+  paper,  ///< levels of K&L's paper
   clear   ///< the jumps stand out, and a denser slope feels stronger (docs/develop/decisions/0915)
 };
 

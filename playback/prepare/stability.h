@@ -23,7 +23,7 @@ enum class StabilityBound : std::uint8_t {
 
 struct MarginPoint {
   double displacement_mm = 0;
-  double slope_N_per_mm = 0;  ///< at the steepest point of both strokes there
+  double slope_N_per_mm = 0;  ///< slope at the steepest point of both strokes near this displacement
   double allowed_N_per_mm = 0;
   StabilityBound bound = StabilityBound::damping;
   double margin_N_per_mm() const { return allowed_N_per_mm - slope_N_per_mm; }

@@ -33,7 +33,7 @@ constexpr double mostJumps = 2.5, jumpMemory_s = 0.05;
 constexpr double dropOutWindow_s = 1, longAgo_s = -1e9;
 // after a drop-out a handle may still move fast under the finger that pressed it
 constexpr double thrown_s = 0.5;
-constexpr double longestStall = 4;  // in periods, if that is more
+constexpr double longestStall = 4;  // number of periods; applies if they last longer than the stall limit
 
 // Dead encoder: after this time without a step the force is lowered slowly. A handle that merely sticks moves
 // at once, because friction carries less than the force; the force then returns before much is felt. If
@@ -335,7 +335,7 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
   // A force that came and went has thrown the handle there.
   latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);
-  riseAnew();  // at once, because each millisecond of such a force adds speed
+  riseAnew();  // without delay, because each millisecond of such a force adds speed
 }
 
 double ForceGuard::limit(double force_N, std::optional<double> velocity_mm_per_s) {

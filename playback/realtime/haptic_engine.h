@@ -71,7 +71,7 @@ struct EngineCounts {
   std::uint64_t droppedInputs = 0;  ///< input ring full (flooding); the next reading sets the position
   std::uint64_t hastened = 0;       ///< events played early because the event ring was full
   std::uint64_t stolenVoices = 0;
-  std::uint64_t droppedEvents = 0;  ///< reports that nobody took
+  std::uint64_t droppedEvents = 0;  ///< reports that were not taken in time
 };
 
 /// A large object of fixed size: construct it once, outside the callback, and do not move it.

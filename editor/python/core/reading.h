@@ -20,7 +20,7 @@ namespace detent::python {
 
 struct ReadButton {
   Button button;
-  std::string reportJson;  ///< as `detent-import --json` prints it, without outputs
+  std::string reportJson;  ///< output of `detent-import --json`, without outputs
 };
 
 /// Options as detent-import takes them ("--page=2"), checked by its own parser. Throws Refusal.

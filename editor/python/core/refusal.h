@@ -15,7 +15,7 @@ namespace detent::python {
 /// Data of the exception.
 struct Refused {
   int code = 1;                       ///< the programs' exit code
-  std::string sentence;               ///< as the program says it
+  std::string sentence;               ///< the sentence that the program would print
   std::vector<std::string> remedies;  ///< one entry per remedy, most likely first
   std::string reportJson;             ///< the program's output with --json; empty if there is none
 

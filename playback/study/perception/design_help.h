@@ -20,13 +20,15 @@ enum class Lever : std::uint8_t {
 
 struct Suggestion {
   Lever lever = Lever::snap;
-  double factor = 1;  ///< on the snap ratio, the travel or the forces; whole hundredths, as it is shown
-  Button button;      ///< the changed one
+  double factor = 1;  ///< factor on the snap ratio, the travel or the forces, in whole hundredths, as shown
+  Button button;      ///< the changed button
   PredictedPair forecast;
 };
 
 struct DesignHelpSettings {
-  double largestFactor = 4;  ///< of a lever, and its inverse: beyond it, it would be another button
+  /// largest factor of a lever, and the inverse of the smallest; beyond it the button would be a different
+  /// one
+  double largestFactor = 4;
   PerceptionSettings perception;
   ConfusionSettings confusion;
 };

@@ -544,8 +544,8 @@ struct PressesArguments {
   bool json = false;
 };
 
-/// Tables for a study's folder or a CSV file. Sets `task` to the study's; for a file without a given task, to
-/// the usual one.
+/// Tables for a study's folder or a CSV file. Sets `task` to the task of the study; for a file without a
+/// given task, to the usual one.
 Result<std::vector<FigureTable>> pressesIn(const std::string& file, std::optional<TimingTask>& task) {
   std::error_code error;
   if (!std::filesystem::is_directory(file, error)) {

@@ -16,7 +16,7 @@ namespace detent::playback {
 /// The participants' task.
 enum class TimingTask : std::uint8_t {
   cue,     ///< press with the cue
-  window,  ///< press while a target stands in its window
+  window,  ///< press while a target is in its window
   tapping  ///< press as fast as one can sustain
 };
 inline constexpr auto timingTasks = named<TimingTask>(

@@ -16,7 +16,7 @@ namespace detent::playback {
 /// Source of the answers, and the device under the finger.
 enum class SessionKind : std::uint8_t {
   real,       ///< a person, with a sound device
-  rehearsal,  ///< a person or nobody, without one: nothing was felt
+  rehearsal,  ///< a person, or nobody, without a sound device: nothing was felt
   simulated   ///< the program
 };
 

@@ -28,7 +28,7 @@ inline constexpr auto unfinishedRules =
 struct PlannedPlaces {
   std::vector<std::string> participants;  ///< in the order of their places
   Unfinished unfinished = Unfinished::leftOut;
-  std::string listsSha256 = {};  ///< as read; empty if no lists were made
+  std::string listsSha256 = {};  ///< hash that was read from the file; empty if no lists were made
 };
 
 /// The ids P01, P02, ... for this many people.

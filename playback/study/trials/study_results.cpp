@@ -433,8 +433,8 @@ PairResult pairResult(std::size_t first, std::size_t second, const Count& errors
   return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, {}};
 }
 
-/// Every journal records how many existed when it was begun, so a missing one is detected, except the one
-/// begun last.
+/// Every journal records how many journals existed when it was begun. A missing one is therefore detected,
+/// unless it was begun last.
 std::vector<std::string> missingParticipants(const std::vector<ParticipantRecord>& participants) {
   struct Site {
     std::size_t people = 0, most = 0;
