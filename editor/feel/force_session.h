@@ -35,8 +35,8 @@ struct ForceEnergy {
   double lowestBalance_mJ = 0;
 };
 
-/// Runs the pressed button on a force device. Started only by the user, because nobody may hold the device.
-/// GUI thread; devices are opened and closed on a separate thread.
+/// Runs the pressed button on a force device. Never starts without the user's request, so that
+/// no device moves by itself. GUI thread; devices are opened and closed on a separate thread.
 class ForceSession : public QObject {
   Q_OBJECT
 

@@ -44,7 +44,7 @@ class ForecastSource : public QObject {
   void cancel() { answers_.cancel(); }  ///< suppresses the answers to earlier requests
 
  signals:
-  /// Number of finished pairs.
+  /// Number of finished buttons and pairs, and of all.
   void progress(int done, int all);
   void ready(std::shared_ptr<const detent::editor::Forecast> forecast);
 

@@ -248,15 +248,16 @@ class ColumnFinder {
         text_.push_back(c);
     }
     if (core_.size() < 2) core_ = numeric_;
-    // A row of conditions above pairs of columns is a heading: "-40 °C;;85 °C;".
     return numeric_.size() >= 2;
   }
 
   bool isData(std::size_t row) const {
     if (!isCandidate(row)) return false;
+    // A row with a text in a column of numbers is a heading, even if its other cells are numbers: "Travel",
+    // 0.1, 0.5.
     for (const std::size_t c : core_)
       if (!isNumber(row, c) && !table_.cell(row, c).empty()) return false;
-    // "-40 °C;;85 °C;" above pairs of columns.
+    // A row of conditions above pairs of columns is a heading: "-40 °C;;85 °C;".
     if (facts_[row].numbers < core_.size() && holdsConditions(row) && !holdsConditions(mainTo_ - 1))
       return false;
     return std::ranges::count_if(numeric_, [&](std::size_t c) { return isNumber(row, c); }) >= 2;

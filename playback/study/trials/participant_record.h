@@ -65,9 +65,9 @@ struct SessionStart {
 
 /// A participant's movements with one stimulus in one trial, from the sensor (or the key that presses).
 struct Felt {
-  std::size_t presses = 0;  ///< begun
+  std::size_t presses = 0;  ///< number of presses that were begun
   std::size_t whole = 0;    ///< presses that reached the bottom, were released, and were played
-  double peak_N = 0;        ///< of all presses
+  double peak_N = 0;        ///< largest force of all presses
   double travel_mm = 0;     ///< deepest of all presses
 
   void add(const Felt& more);

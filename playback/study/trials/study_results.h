@@ -23,13 +23,13 @@ struct TrialRow {
   std::size_t answered = 0;           ///< the chosen button
   bool correct = false;               ///< no meaning in rating
   std::optional<double> level;        ///< threshold: by what share x has more
-  /// felt presses of each choice, then of X; empty for journals that did not record them
-  std::optional<double> rating;
+  std::optional<double> rating;       ///< rating on a scale: the answered number
   /// Timing: as defined in study/statistics/press_timing.h. For tapping each tap is a row.
   std::optional<double> interval_s, window_s, press_s, pressWithin_s;
   std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA counts all choices together
   std::vector<std::string> choices;                      ///< labels in the order shown
-  std::vector<Felt> felt;  ///< of each choice, then of X; none in journals that did not record it
+  /// movements with each choice, then with X; empty for journals that did not record them
+  std::vector<Felt> felt;
   double onset_s = 0, firstPress_s = 0, answer_s = 0;
   FeedbackMode mode = FeedbackMode::full;
   SessionKind kind = SessionKind::real;
