@@ -106,8 +106,8 @@ std::vector<double> rowsOf(const std::vector<Point>& line, int from, int columns
 
 /// Steps of a stroke to the other stroke and back; limits in shares of the strokes' height and of the travel.
 struct StepOver {
-  double height, within;  ///< of each of the two steps
-  double leastAlong;      ///< of the way along the other stroke
+  double height, within;  ///< limits for each of the two steps
+  double leastAlong;      ///< least length of the way along the other stroke
 };
 
 /// Number of times that the release and the press step over to the other stroke and back. `ofPress` and
@@ -486,7 +486,7 @@ class Doubts {
   /// self-locking button has, or of another switch. Guides are horizontal or vertical, and leaders are short.
   /// No doubt if the person chose among curves.
   void otherLine() {
-    constexpr double leastWidth = 0.3, leastHeight = 0.2;  // of the frame's
+    constexpr double leastWidth = 0.3, leastHeight = 0.2;  // shares of the frame's sides
     constexpr double mostThickness =
         8;  // in thicknesses of the curves: not a filled patch, but at most three lines that meet
     const TraceHints& given = hints_.trace;
@@ -637,7 +637,7 @@ class Doubts {
 
   /// Returns true for a legend's box: most of the pixels lie on the edges of their bounding box.
   static bool outlinesABox(const Remainder& left) {
-    constexpr double nearShare = 0.05, most = 0.5;  // of the box; of the pixels
+    constexpr double nearShare = 0.05, most = 0.5;  // share of the box; share of the pixels
     const Box& box = left.box_px;
     const auto onEdge = std::ranges::count_if(left.pixels_px, [&](Point p) {
       return std::min(p.x - box.x0, box.x1 - p.x) < nearShare * box.width() ||
@@ -789,7 +789,7 @@ class Doubts {
   /// start and where it dips.
   void belowTheAxis(const std::vector<Point>& line) {
     constexpr double onBaseline_px = 2, above_px = 4;  // half a line's width above, where it starts steeply
-    constexpr double noticeable = 0.03;                // of the axis' range; of the travel
+    constexpr double noticeable = 0.03;                // share of the axis' range, or of the travel
     constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge where a curve dips below it
     constexpr double mostHidden = 0.15;   // share of the travel: with more, the button would feel different
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;

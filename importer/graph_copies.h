@@ -25,7 +25,7 @@ inline constexpr double copiesWithin = 0.015;
 
 /// Rank of a copy, to choose one.
 struct CopyRank {
-  double confidence = 0;   ///< of the whole reading, 0..1
+  double confidence = 0;   ///< confidence of the whole reading, 0..1
   bool exact = false;      ///< strokes from the document's own paths
   double framePixels = 0;  ///< area of the frame in the view
 };

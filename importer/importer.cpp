@@ -60,7 +60,7 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
     case RemedyKind::chooseSwitch:
       return !hints.strokes.curve.empty();
     default:
-      return false;  // masks and words can be added again
+      return false;  // all other remedies can be applied more than once, such as masks
   }
 }
 

@@ -49,7 +49,7 @@ struct ImportHints {
   TraceHints trace;  ///< masks here in page units
   StrokeHints strokes;
   DrawnStrokes drawn;
-  ColumnHints columns;        ///< of a table
+  ColumnHints columns;        ///< columns of a table
   std::string releasePath;    ///< a second file with the release of the first one's press; empty: none
   std::optional<double> dpi;  ///< render documents at this resolution; (0, 1200]
 
@@ -154,8 +154,9 @@ struct StrokeReport {
 struct ReadingSummary {
   double magnification =
       1;  ///< magnification of this reading: pictures are enlarged, documents drawn finer by this factor
-  double confidence = 0;                       ///< 0..1; 0 if the reading failed
-  std::optional<double> travel_mm, highest_N;  ///< of the press; empty if the reading failed
+  double confidence = 0;  ///< 0..1; 0 if the reading failed
+  /// travel and highest force of the press; empty if the reading failed
+  std::optional<double> travel_mm, highest_N;
   bool release = false;
   Message problem;     ///< the reason why it was not certain; empty if it was certain
   bool taken = false;  ///< the report is of this reading
@@ -184,7 +185,7 @@ struct ImportReport {
   std::vector<ReadingSummary> readings;  ///< in the order they were made; empty if one reading was enough
   bool endedByTimeLimit = false;         ///< ImportRequest::timeLimit passed before all work was done
   std::vector<Remark> remarks;
-  std::optional<StrokeSpeed> pressSpeed, releaseSpeed;  ///< of force logs with a column of times
+  std::optional<StrokeSpeed> pressSpeed, releaseSpeed;  ///< speeds in force logs with a column of times
   std::shared_ptr<const GraphEvidence> evidence;        ///< null for force logs
   std::string brief() const;                            ///< one line for people
 };
@@ -201,7 +202,7 @@ struct ImportAttempt {
   /// A question whose answer would settle the failure. Each choice was tried and leads to an accepted result.
   /// For graphs on pages only if ImportRequest::asks.
   std::optional<Question> question = {};
-  std::vector<ExplainedInterpretation> interpretations = {};  ///< of a force log, the best three
+  std::vector<ExplainedInterpretation> interpretations = {};  ///< the best three of a force log
 };
 
 /// An open input that is imported repeatedly while hints change: a step is recomputed only if something it

@@ -149,7 +149,7 @@ bool readsBefore(const LocatedGraph& a, const LocatedGraph& b) {
 
 /// Returns true if opposite edges have different tilts: the sheet was photographed.
 bool anyKeystoned(const std::vector<LocatedGraph>& graphs) {
-  constexpr double leastApart = 0.006;  // of a slope; scanners and rounding cause less
+  constexpr double leastApart = 0.006;  // difference of slopes; scanners and rounding cause less
   return std::any_of(graphs.begin(), graphs.end(), [](const LocatedGraph& graph) {
     const auto& c = graph.frame.value.corners;
     const Box box = graph.frame.value.box();

@@ -23,7 +23,7 @@ struct QualitySettings {
   FitEffort fit = FitEffort::standard;
   double traceNoise_px = 0;      ///< expected noise of a traced point across the curve, raster
   bool secondOpinion = false;    ///< pages are read again at another size (importer/second_opinion.h)
-  bool refineAxes = false;       ///< from whole lines (importer/refine); pictures only
+  bool refineAxes = false;       ///< refines the axes from whole lines (importer/refine); pictures only
   double vectorNoise_share = 0;  ///< the same for vector curves, as a share of the plot frame's size
 };
 

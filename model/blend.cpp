@@ -207,7 +207,7 @@ Result<StrokeCurve> blendStroke(const States& states, Stroke stroke, const std::
   return blendCurves(aligned(curves, features), weights);
 }
 
-/// Returns nullopt unless every state has the point.
+/// Weighted mean of the states' operating or reset points; nullopt unless every state has the point.
 std::optional<double> meanPoint(const States& states, const std::vector<double>& weights,
                                 std::optional<double> ButtonState::*point) {
   double mean_mm = 0;

@@ -10,7 +10,7 @@
 namespace detent {
 namespace {
 
-constexpr double sampleStep = 0.002;  // in normalised units of arc length
+constexpr double sampleStep = 0.002;  // distance of samples, in normalised units of arc length
 constexpr double mostSamples = 1e5;   // limit for a stroke that is thousands of times larger than the spans
 constexpr std::size_t runsPerLine = 256;
 

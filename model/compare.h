@@ -30,7 +30,7 @@ struct StrokeDistance {
 };
 
 struct GraphDistance {
-  double span_mm = 0, span_N = 0;                ///< of the first graph
+  double span_mm = 0, span_N = 0;                ///< spans of the first graph
   std::optional<StrokeDistance> press, release;  ///< strokes that both graphs have
   double meanOfSpan = 0;                         ///< mean over the strokes that both graphs have
   double maxOfSpan = 0;

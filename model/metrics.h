@@ -23,7 +23,7 @@ struct TactileEvent {
 struct StrokeMetrics {
   std::vector<TactileEvent> tactile;  ///< in the order travelled
   std::vector<Section> sections;
-  double startForce_N = 0, endForce_N = 0;  ///< at the two ends, by increasing displacement
+  double startForce_N = 0, endForce_N = 0;  ///< forces at the two ends, by increasing displacement
   double minForce_N = 0, maxForce_N = 0;
   BottomOut bottomOut;
   double work_mJ = 0;  ///< area under the curve

@@ -52,7 +52,7 @@ struct TactileTemplate {
   double releaseStartForce_N = 0.20;
   std::vector<ReleaseLevel> release = {
       {{1.6, 0.22}, {1.1, 0.36}}};  ///< in the order travelled: from deep to shallow
-  double releaseEndForce_N = 0.58;  ///< at the end of the travel
+  double releaseEndForce_N = 0.58;  ///< force of the release at the end of the travel
   std::optional<double> bottomOutForce_N = 1.2;
   std::optional<double> operatingPoint_mm = 2.0, resetPoint_mm = 1.7;
 };
@@ -88,12 +88,12 @@ struct SelfLockingTemplate {
   double travel_mm = 4;
   double lock_mm = 2.5;  ///< in (valley of the tactile point, travel)
   double startForce_N = 0.35;
-  PressLevel press = {{1.4, 0.75}, {2.0, 0.55}};  ///< of the unlocked state
+  PressLevel press = {{1.4, 0.75}, {2.0, 0.55}};  ///< press of the unlocked state
   double endForce_N = 0.95;
   double lockForce_N = 0.05;                          ///< force left at the lock, carried by the latch
   double lockedStartForce_N = 0.60;                   ///< force where the locked press leaves the latch, at
                                                       ///< lock_mm
-  ReleaseLevel release = {{1.8, 0.30}, {1.2, 0.50}};  ///< of the locked state, on its way back to 0
+  ReleaseLevel release = {{1.8, 0.30}, {1.2, 0.50}};  ///< release of the locked state, on its way back to 0
   double releaseStartForce_N = 0.20;
   double hysteresis_N = 0.05;
   std::optional<double> bottomOutForce_N = 1.6;

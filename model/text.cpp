@@ -20,7 +20,8 @@ std::string lowered(std::string_view text) {
 }
 
 bool isUtf8(std::string_view bytes) {
-  constexpr std::array<unsigned, 4> smallest{0, 0x80, 0x800, 0x10000};  // of one, two, three, four bytes
+  // smallest code points that need one, two, three, four bytes
+  constexpr std::array<unsigned, 4> smallest{0, 0x80, 0x800, 0x10000};
   while (!bytes.empty()) {
     const auto lead = static_cast<unsigned char>(bytes.front());
     const std::size_t more = lead < 0x80   ? 0

@@ -16,14 +16,14 @@ struct FigureSpread {
   KeyFigure figure = KeyFigure::peakForce;
   std::size_t units = 0;     ///< that have it, >= 1
   double mean = 0;           ///< mm, N, N/mm, mJ, or a share
-  std::optional<double> sd;  ///< of a unit, n - 1; none where a single unit has the figure
+  std::optional<double> sd;  ///< standard deviation of a unit (n - 1); none if a single unit has the figure
   double least = 0, most = 0;
 };
 
 /// Forces of the units at one displacement.
 struct BandPoint {
   double displacement_mm = 0;
-  double mean_N = 0, sd_N = 0;  ///< of the mean button; deviation of a unit from it, n - 1
+  double mean_N = 0, sd_N = 0;  ///< force of the mean button; standard deviation of a unit from it (n - 1)
 };
 
 /// The mean button's force, and the units' deviation from it, at each displacement of the common travel.

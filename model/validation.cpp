@@ -45,7 +45,7 @@ struct Findings {
   std::vector<Warning> warnings;
   std::string state;
 
-  std::optional<std::size_t> index;  // of the state
+  std::optional<std::size_t> index;  // index of the state
 
   void add(Rule rule, const std::string& place, WarningPlace spot, double value, std::string_view unit,
            std::string problem, double against = 0) {

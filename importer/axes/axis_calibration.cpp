@@ -25,7 +25,8 @@ Point SheetBend::straightened(Point view_px) const {
 }
 
 Point SheetBend::bent(Point straight_px) const {
-  constexpr int steps = 30;  // iterations of the fixed point; each divides the error by about sheet / bend
+  // fixed-point iterations; each multiplies the error by about bend / size of the sheet
+  constexpr int steps = 30;
   Point at = straight_px;
   for (int k = 0; k < steps; ++k) at = straight_px - (straightened(at) - at);
   return at;

@@ -17,7 +17,7 @@ namespace detent::importer {
 namespace {
 
 constexpr int rowAttempts = 3;
-constexpr double sureLabelReading = 0.9;  // of the text engine's confidence
+constexpr double sureLabelReading = 0.9;  // confidence of the text engine from which a label counts as read
 
 /// Returns true if the text is one number without blanks. In a line of several numbers their positions are
 /// unknown.
@@ -51,7 +51,7 @@ std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis ax
 /// Cuts a word left of the axis behind its last digit. A digit that touches the axis was partly taken for a
 /// tick, so that "120" would be read as 12. A tick is lower than a digit.
 Box untilAxis(const GraphReading& r, const Box& word) {
-  constexpr double apart = 0.45, digit = 0.5;  // of the word's height
+  constexpr double apart = 0.45, digit = 0.5;  // shares of the word's height
   const int top = std::max(0, static_cast<int>(std::ceil(word.y0))),
             bottom = std::min(r.darkMask.rows - 1, static_cast<int>(std::floor(word.y1)));
   const int margin = bottom - top;
@@ -112,7 +112,8 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& positions, doubl
 /// Box of a number with the letters that follow it on its line, up to the next of the `numbers`. `glyphs`
 /// from the left.
 Box withLettersBehind(const std::vector<Box>& glyphs, const Box& number, const std::vector<Box>& numbers) {
-  constexpr double blank = 0.9, level = 0.4;  // of the number's height; of the height of the lower one
+  // share of the number's height; share of the lower one's height
+  constexpr double blank = 0.9, level = 0.4;
   Box whole = number;
   for (const Box& g : glyphs) {
     const double shared = std::min(g.y1, number.y1) - std::max(g.y0, number.y0);
@@ -194,7 +195,7 @@ void readAlike(const GraphReading& r, AxisLabels& found, const std::vector<Label
 /// 1.0 as 00, 5, 10.
 void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& positions, const std::vector<GridLine>& ticks,
                    Axis axis, double angle_deg) {
-  constexpr double asWide = 0.8;  // of the usual width of a digit
+  constexpr double asWide = 0.8;  // share of the usual width of a digit
   if (!found.progression) return;
   const auto isBare = [&](std::size_t i) {
     const std::string& text = found.words[i].utf8;
@@ -324,7 +325,7 @@ std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
 /// Returns true if most labels were read with low confidence because they contain letters: the digit reader
 /// turns "20gf" into 209 or nothing.
 bool holdsLetters(const AxisLabels& labels) {
-  constexpr double doubted = 0.2;  // of the engine's certainty
+  constexpr double doubted = 0.2;  // confidence of the engine below which a word counts as doubted
   const auto isDoubted = [](const SeenText& word) { return word.confidence < doubted; };
   return 2 * std::ranges::count_if(labels.words, isDoubted) > std::ssize(labels.words);
 }
@@ -345,7 +346,7 @@ bool endsAlike(const AxisLabels& labels) {
 /// Returns true if a column's words are as close as the letters of a title that runs upwards. Between numbers
 /// there is more room.
 bool isWriting(const AxisLabels& column) {
-  constexpr double closest = 0.45;  // of the lower one's height
+  constexpr double closest = 0.45;  // share of the lower one's height
   int close = 0;
   for (std::size_t i = 1; i < column.words.size(); ++i) {
     const Box &upper = column.words[i - 1].box, &lower = column.words[i].box;
@@ -448,7 +449,7 @@ std::optional<AxisLabels> readRightLabels(GraphReading& r, const std::vector<Gri
 }
 
 bool reachesFar(const AxisLabels& labels, const Box& frame) {
-  constexpr double leastReach = 0.4;  // of its height
+  constexpr double leastReach = 0.4;  // share of the frame's height
   return labels.numbers() >= 3 && labels.extent.height() >= leastReach * frame.height();
 }
 

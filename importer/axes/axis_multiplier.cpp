@@ -31,7 +31,7 @@ std::string plainPower(std::string_view text) {
 
 /// Region where a multiplier of this axis may stand.
 Box placeOfMultiplier(const Box& frame, Axis axis, const Box& labels) {
-  constexpr double beside = 0.15, inwards = 0.25, above = 0.12;  // of the frame's width and height
+  constexpr double beside = 0.15, inwards = 0.25, above = 0.12;  // shares of the frame's width and height
   const double width = frame.width(), height = frame.height();
   if (axis == Axis::y)
     return {std::min(labels.x0, frame.x0 - beside * width), frame.y0 - above * height,

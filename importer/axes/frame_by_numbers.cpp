@@ -20,7 +20,7 @@ struct LabelSeries {
   std::vector<double> positions;  // increasing
   double step_px = 0;             // between neighbours
   double across = 0;  // middle of the words across the axis; for a column, the edge at which they are aligned
-  double height = 0;  // of a word
+  double height = 0;  // height of a word
   bool onRight = false;  // a column on the frame's right
 };
 
@@ -49,7 +49,7 @@ std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX, const 
 /// Returns true if a word of the labels' size is at a position along the axis, or is flush with it on the
 /// side to which `inwards` points (-1 or 1 along the axis).
 bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place, int inwards) {
-  constexpr double flush = 0.75;  // of a word's width: half of it and a margin
+  constexpr double flush = 0.75;  // share of a word's width: half of it and a margin
   const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;
   return std::any_of(words.begin(), words.end(), [&](const Box& w) {
     const double at = alongX ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
@@ -63,7 +63,7 @@ bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, do
 
 /// Position of the last word that continues the labels in a direction; `edge` if no word lies beyond it.
 double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, int direction, double edge) {
-  constexpr double clearlyBeyond = 0.4;  // of a step: the last label may stand slightly off its place
+  constexpr double clearlyBeyond = 0.4;  // share of a step: the last label may stand slightly off its place
   double at = direction > 0 ? s.positions.back() : s.positions.front();
   for (int k = 0; k < 20 && wordAt(words, s, alongX, at + direction * s.step_px, -direction); ++k)
     at += direction * s.step_px;
@@ -113,7 +113,7 @@ bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, dou
 /// Returns true if an edge is drawn where the numbers require one, even with gaps. The last number may stand
 /// away from the last line; the frame then ends at the line.
 bool isDrawn(const cv::Mat& darkness, double edge, double from, double to, bool upright) {
-  constexpr double seen = 6, enough = 0.3;  // grey levels; of the pieces
+  constexpr double seen = 6, enough = 0.3;  // grey levels; share of the pieces
   constexpr int reach_px = 4, pieces = 20;
   int drawn = 0;
   for (int k = 0; k < pieces; ++k) {

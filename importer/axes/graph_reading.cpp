@@ -46,7 +46,7 @@ std::vector<Box> turnedLetters(const GraphReading& r, const std::vector<Box>& gl
 
 /// Returns true if two lines are closer than lines of text ever are: parts of the same letters.
 bool areParts(const Box& a, const Box& b) {
-  constexpr double closest = 0.13;  // of the height of both together
+  constexpr double closest = 0.13;  // share of the height of both together
   const double along = std::min(a.x1, b.x1) - std::max(a.x0, b.x0);
   const double gap = std::max(a.y0, b.y0) - std::min(a.y1, b.y1);
   return along >= 0.5 * std::min(a.width(), b.width()) &&

@@ -28,7 +28,7 @@ std::string shortened(std::string text) {
 }  // namespace
 
 std::vector<int> evenSteps(const std::vector<double>& centers_px) {
-  constexpr double evenWithin = 0.15;  // of a step
+  constexpr double evenWithin = 0.15;  // share of a step
   double pitch = std::numeric_limits<double>::max();
   for (std::size_t i = 1; i < centers_px.size(); ++i)
     pitch = std::min(pitch, centers_px[i] - centers_px[i - 1]);

@@ -8,7 +8,8 @@
 
 namespace detent::importer {
 
-inline constexpr std::size_t fewestLabels = 3, mostLabels = 12;  ///< of a row that is read by its scale
+/// numbers of labels in a row that is read by its scale
+inline constexpr std::size_t fewestLabels = 3, mostLabels = 12;
 
 /// A candidate scale: the value of each label, and how common such a scale is.
 struct LabelScale {

@@ -34,7 +34,8 @@ std::optional<Unit> unitBehindNumbers(GraphReading& r, const AxisLabels& labels,
 
 /// Box in place of the highest number's neighbour on an axis; empty if a number or nothing is there.
 Box placeBelowHighest(const GraphReading& r, const AxisLabels& labels, bool alongX) {
-  constexpr double near = 0.3, beside = 0.5;  // of a step along the axis; of a number's height across it
+  // share of a step along the axis; share of a number's height across it
+  constexpr double near = 0.3, beside = 0.5;
   const Progression& p = *labels.progression;
   double highest = -HUGE_VAL, height = 0;
   Box row;
@@ -61,7 +62,7 @@ Box placeBelowHighest(const GraphReading& r, const AxisLabels& labels, bool alon
 template <class Unit, class Parse>
 std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels, bool alongX,
                                         double certain, Parse parse) {
-  constexpr int fewest = 4;  // labels that define the scale without it
+  constexpr int fewest = 4;  // least number of other labels, which then define the scale
   if (!labels.progression || !labels.progression->fromTicks || labels.progression->labels < fewest) return {};
   const Box place = placeBelowHighest(r, labels, alongX);
   if (place.empty()) return {};
@@ -76,7 +77,7 @@ std::optional<Unit> unitInPlaceOfNumber(GraphReading& r, const AxisLabels& label
 
 std::optional<LengthUnit> lengthUnitInPlaceOfNumber(GraphReading& r, const AxisLabels& labels) {
   constexpr double certain =
-      0.8;  // of the engine's confidence: units of length are hardly confused, but cN and mN are
+      0.8;  // confidence of the engine: units of length are hardly confused, but cN and mN are
   return unitInPlaceOfNumber<LengthUnit>(r, labels, true, certain, lengthUnitIn);
 }
 

@@ -28,7 +28,7 @@ namespace {
 constexpr double newtonAtMost =
     5;  // an unnamed force axis that ends at or below this is in newton: no button needs 5 gf
 
-/// What the user said about one axis.
+/// Values that the user gave for the ends of one axis.
 struct AxisGiven {
   std::optional<double> min, max;
   bool range() const { return min && max; }
@@ -163,7 +163,7 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
     if (reading.weight >= 1 && std::abs(reading.value - expected) < 1e-6 * p.step) return LabelVerdict::fits;
   constexpr int many = 4;  // number of agreeing labels that outvote one possibly misread one
   const std::string shown = shownNumber(expected);
-  constexpr double fully = 0.94;  // of the engine's certainty
+  constexpr double fully = 0.94;  // confidence of the engine from which a reading is no misreading
   const SeenText& word = labels.words[i];
   const bool isMisread = p.labels >= many && word.confidence < fully && resembles(word.utf8, shown);
   return isMisread || isRestOf(labels.words[i].utf8, shown) ? LabelVerdict::rest : LabelVerdict::contradicts;
@@ -258,7 +258,7 @@ bool namesForceOrTravel(const std::vector<SeenText>& texts) {
   });
 }
 
-constexpr double confidenceOfOther = 0.2;  // of axes that measure something else
+constexpr double confidenceOfOther = 0.2;  // confidence of axes that measure something else
 
 /// Confidence in the units: one assumed unit may be right. If both are assumed, the numbers may mean anything
 /// unless words name the quantities.
@@ -540,7 +540,7 @@ double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach
 
 /// Returns true if both ends have the same value, up to rounding: a given end beside a found one.
 bool isEmptyRange(const EndValues& ends) {
-  constexpr double rounding = 1e-3;  // of the larger end
+  constexpr double rounding = 1e-3;  // share of the larger end
   return std::abs(ends.last - ends.first) <= rounding * std::max(std::abs(ends.first), std::abs(ends.last));
 }
 

@@ -82,7 +82,7 @@ bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& 
   constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wideDash = 0.6,
                    highest = 3.2;         // of a letter's height
   constexpr double differentColour = 60;  // colour levels
-  constexpr double filled = 0.7;          // of its box
+  constexpr double filled = 0.7;          // share of its box
   const bool dash = mark.height() < dashHeight * usual_px;
   if (dash && mark.width() > longDash * usual_px) return true;
   if (mark.width() < (dash ? anyDash : wideDash) * usual_px || mark.height() > highest * usual_px)
@@ -174,7 +174,7 @@ bool isWordRow(const TextLine& line) {
 
 /// Returns true if letters stand beside a legend key. A name of one or two letters counts ("A", "V2").
 bool isBesideSample(const TextLine& line, const std::vector<Box>& marks, const Inked& on) {
-  constexpr double least_px = 5, apart = 2.2, level = 0.4;  // of the letters' height
+  constexpr double least_px = 5, apart = 2.2, level = 0.4;  // apart, level: factors of the letters' height
   const double height = line.box.height();
   if (line.glyphs.empty() || height < least_px) return false;
   return std::ranges::any_of(marks, [&](const Box& mark) {

@@ -66,8 +66,8 @@ std::string lettersOf(TextKind kind) {
   return {};
 }
 
-/// Replaces a letter that is wider than its line is high, as no letter is: the engine reads "荷重 [gf]" as
-/// "a [gf]".
+/// Put in place of a first letter that is wider than the line is high. No letter is that wide: the engine has
+/// read "荷重 [gf]" as "a [gf]".
 constexpr std::string_view unreadableSign = "\xEF\xBF\xBD";
 
 bool beginsWithSingleLetter(std::string_view text) {

@@ -71,7 +71,8 @@ struct JudgedLabel {
 /// Evidence of a label's pixels in nats, allowing for noise and an unknown typeface. Pixels that scaling and
 /// blur have correlated count once.
 double natsOf(double likeness, const Box& word) {
-  constexpr double independent = 0.25, most = 0.99;  // of the pixels; highest correlation that counts
+  // share of the pixels that count as independent; highest correlation that counts
+  constexpr double independent = 0.25, most = 0.99;
   const double pixels = independent * (word.width() + 2) * (word.height() + 2);
   const double r = std::clamp(likeness, 0.0, most);
   return -0.5 * pixels * std::log(1 - r * r);

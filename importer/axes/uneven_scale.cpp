@@ -47,7 +47,8 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
 }
 
 bool isLogarithmic(const std::vector<GridLine>& lines) {
-  constexpr double near = 0.012, near_px = 1;  // of a decade: linear ninths deviate by 0.07
+  // tolerance as a share of a decade (ninths of a linear scale deviate by 0.07), and in px
+  constexpr double near = 0.012, near_px = 1;
   // lines between two powers of ten; number of them that may be missing
   constexpr std::size_t between = 8, lost = 1;
   std::vector<double> at;

@@ -56,7 +56,7 @@ std::vector<Box> joinedAlong(std::vector<Box> blobs) {
 /// Indices where the unit may begin, the likeliest first: at the last word, at a bracket within it, behind
 /// the last letter as wide as high, and a word earlier if a stroke or a bracket stands alone.
 std::vector<std::size_t> starts(const std::vector<Box>& letters, double height) {
-  constexpr double blank = 0.22, stroke = 0.45, lone = 0.65, square = 0.75;  // of the line's height
+  constexpr double blank = 0.22, stroke = 0.45, lone = 0.65, square = 0.75;  // shares of the line's height
   constexpr std::size_t longest = 9;  // letters of a unit with its brackets
   std::vector<std::size_t> out, words;
   const auto add = [&](std::size_t at) {
@@ -133,7 +133,7 @@ namespace {
 /// Least confidence of a reading. A reading of at least three letters between two brackets is hardly ever
 /// wrong.
 double leastSure(const std::string& text) {
-  constexpr double sure = 0.7, sureInBrackets = 0.5;  // of the engine's
+  constexpr double sure = 0.7, sureInBrackets = 0.5;  // confidences of the engine
   constexpr std::ptrdiff_t fewest = 5;                // signs
   // start of a UTF-8 character
   const bool whole = std::ranges::count_if(text, startsCharacter) >= fewest &&

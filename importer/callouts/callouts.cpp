@@ -114,7 +114,7 @@ constexpr double leastShare = 0.8;  // share of a leader that must be a thin str
 double leaderShare(const MarkTest& marks, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;  // of the samples
+  constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;  // mostGaps: share of the samples
   const double start =
       std::min(arrowhead_px, length / 3);  // dots and arrowheads stand where the leader meets the curve
   const int samples = static_cast<int>(std::floor(length - 1 - start)) + 1;

@@ -247,7 +247,7 @@ class ChainProblem {
   KnotRange range_;
   double robustScale_;
   std::vector<AssignedPoint> points_;
-  std::vector<Footpoint> nearest_;    // of each point, on the chain evaluated last
+  std::vector<Footpoint> nearest_;    // footpoint of each point, on the chain evaluated last
   std::vector<WeakPlace> weak_;       // of each moving knot
   std::vector<StayWithPoints> stay_;  // of each moving knot
   std::vector<std::size_t> free_;
@@ -314,8 +314,9 @@ KnotChain moved(KnotChain chain, const Step& step) {
 /// fit were chosen.
 bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& settings) {
   constexpr double firstRadius = 1e4, greatestRadius = 1e16;  // relative to each parameter's scale
-  constexpr double leastShareKept = 1e-3;                     // of the predicted decrease
-  constexpr double leastInformation = 1e-6;  // of the initial value, if a parameter loses its influence
+  constexpr double leastShareKept = 1e-3;                     // share of the predicted decrease
+  // share of the initial value; applies if a parameter loses its influence
+  constexpr double leastInformation = 1e-6;
   NormalEquations here(problem, chain, false);
   std::vector<double> leastDamping;
   for (std::size_t i = 0; i < here.information.size(); ++i)
@@ -349,7 +350,7 @@ bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& sett
 
 /// Condition number of a Jacobian from J'J.
 double conditionOf(const Eigen::MatrixXd& information) {
-  constexpr double beyondRounding = 1e-16;  // of the greatest eigenvalue
+  constexpr double beyondRounding = 1e-16;  // share of the greatest eigenvalue
   const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::VectorXd eigenvalues =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * information * scale.asDiagonal(),

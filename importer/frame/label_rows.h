@@ -11,7 +11,7 @@ namespace detent::importer {
 /// Words aligned with an axis of an upright rectangle.
 struct LabelRow {
   std::vector<Box> words;  ///< in order along the axis
-  double height_px = 0;    ///< of a typical word
+  double height_px = 0;    ///< height of a typical word
   int regular = 0;         ///< number of words at even distances or at gridlines
 };
 

@@ -56,7 +56,8 @@ std::optional<EdgeLine> consensusLine(const std::vector<Peak>& peaks, const std:
     std::size_t count = 0;
     for (std::size_t i = 0; i < n; ++i) count += std::abs(peaks[i].at - at0 - slope * along[i]) <= tolerance;
     const double miss = std::abs(at0 + slope * mid - expected);
-    // A tilt must explain clearly more points than none, because a curve beside the edge attracts some.
+    // A tilted line must explain clearly more points than a level one, because a curve beside the edge
+    // attracts some.
     const double worth = static_cast<double>(count) * (slope == 0 ? 1.2 : 1.0);
     if (worth > bestWorth || (worth == bestWorth && miss < bestMiss)) {
       bestWorth = worth;
@@ -136,7 +137,7 @@ std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
 
 /// Removes pale copies beside a line, made by sharpening resampling filters and JPEG.
 std::vector<Peak> withoutRinging(const std::vector<Peak>& lines) {
-  constexpr double paler = 0.15, withinWidths = 4;  // of the other line's contrast; in line widths
+  constexpr double paler = 0.15, withinWidths = 4;  // share of the other line's contrast; line widths
   std::vector<Peak> kept;
   std::copy_if(lines.begin(), lines.end(), std::back_inserter(kept), [&](const Peak& line) {
     return std::none_of(lines.begin(), lines.end(), [&](const Peak& other) {

@@ -23,8 +23,9 @@ constexpr double detectorScale = 0.5;     // at full scale noise breaks long edg
 constexpr double shortest_share = 0.035;  // share of the larger side; letters are shorter
 constexpr double farthestLean_deg = 32;   // tilt and rotation together
 constexpr double agrees_deg = 0.8;        // deviation of lines on a sagging sheet
-constexpr std::size_t mostSeeds = 70;     // of the longest segments; each pair proposes a point
-constexpr double leastSupport = 1.5;      // share of the larger side, total length of agreeing segments
+// number of the longest segments that are used; each pair proposes a point
+constexpr std::size_t mostSeeds = 70;
+constexpr double leastSupport = 1.5;  // share of the larger side, total length of agreeing segments
 // Largest to smallest scale over the page; 1 for a level or rotated picture.
 constexpr double leastForeshortened = 1.015, mostForeshortened = 1.8;
 

@@ -109,7 +109,7 @@ struct NextLines {
 struct EdgeFit {
   double overhang = 0;  ///< weighted sum of how far lines extend beyond the rectangle, in shares of it
   double inside = 0;    ///< length inside
-  double length = 0;    ///< of the members, in all
+  double length = 0;    ///< total length of the members
   int members = 0, endAtFrom = 0, endAtTo = 0;
   double reachFrom = 0, reachTo = 0;  ///< share of the gridlines that reach the edge
 };

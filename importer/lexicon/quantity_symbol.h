@@ -13,7 +13,7 @@ namespace detent::importer {
 /// The letter that a title has in place of words.
 struct QuantitySymbol {
   std::string letter;   ///< U of "U [N]", a of "|a_z|(t) / g"
-  bool agrees = false;  ///< people write it for what the unit behind it measures
+  bool agrees = false;  ///< the letter is usual for the quantity of the unit behind it
 };
 
 /// The letter at a title's start, with an index or an argument, in front of nothing but a unit.

@@ -37,10 +37,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kBrackets
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 struct Vocabulary {
-  std::unordered_map<std::string, std::uint32_t> words;      // of one or more words, joined by blanks
-  std::unordered_set<std::string> headFirst;                 // words of Romance languages alone
-  std::vector<std::pair<std::string, std::uint32_t>> signs;  // of writing without blanks, the longest first
-  std::vector<std::pair<std::string, std::uint32_t>> ends;   // of compounds, the longest first
+  std::unordered_map<std::string, std::uint32_t> words;  // of one or more words, joined by blanks
+  std::unordered_set<std::string> headFirst;             // words of Romance languages alone
+  // signs of scripts without blanks, the longest first
+  std::vector<std::pair<std::string, std::uint32_t>> signs;
+  std::vector<std::pair<std::string, std::uint32_t>> ends;  // last parts of compounds, the longest first
   std::map<std::string, ColumnUnit, std::less<>> units, foldedUnits;
 };
 

@@ -21,7 +21,7 @@ namespace {
 using Columns = std::vector<std::size_t>;  // positions in DataTable::columns
 
 constexpr double kNamed = 2;        // log-likelihood from which a column counts as named
-constexpr double kPossible = -1.5;  // log-likelihood down to which a column may be one
+constexpr double kPossible = -1.5;  // log-likelihood from which a column may be a force or a displacement
 
 /// The column that the user gave by number or title; nullopt if there is none with it.
 std::optional<std::size_t> columnGiven(const DataTable& data, const std::string& given) {
@@ -297,7 +297,7 @@ class Interpreter {
         const double k = strokeOf(other) == strokeOf(c) ? proportionOf(column(other), column(c)) : 0;
         if (k == 0) return false;
         const double wanted = column(other).unit.size / column(c).unit.size;
-        constexpr double within = 0.005;  // of the ratio
+        constexpr double within = 0.005;  // share of the ratio
         return std::abs(k / wanted - 1) < within || column(c).unit.kind != column(other).unit.kind;
       });
       if (!copy) kept.push_back(c);
@@ -387,7 +387,7 @@ class Interpreter {
     double left = 0;
     for (const std::size_t c : fs_)
       if (!used.contains(c) && (column(c).force >= kNamed || severalRecords_)) left += 1;
-    constexpr double leftWorth = -3;  // log-likelihood of each
+    constexpr double leftWorth = -3;  // log-likelihood of each unused column
     if (left > 0)
       made.evidence.add("left over", std::to_string(static_cast<int>(left)) + " columns of force",
                         leftWorth * left);

@@ -54,7 +54,7 @@ void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double nois
 }
 
 std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke) {
-  constexpr double farGaps = 4, leastShare = 0.02;  // of the usual gap, and of the travel
+  constexpr double farGaps = 4, leastShare = 0.02;  // factor of the usual gap; share of the travel
   std::vector<double> gaps_mm;
   for (std::size_t i = 1; i < stroke.size(); ++i) {
     const double gap_mm = std::abs(stroke[i].displacement_mm - stroke[i - 1].displacement_mm);

@@ -37,7 +37,7 @@ double noiseOf(const std::vector<double>& values, double lastDigit = std::numeri
 
 /// Readings recorded before the key is touched.
 struct BeforeContact {
-  double force_N = 0;         ///< of the unloaded gauge
+  double force_N = 0;         ///< force of the unloaded gauge
   double contact_mm = 0;      ///< place of contact
   double uncertainty_mm = 0;  ///< standard error of the contact
 };

@@ -52,7 +52,8 @@ char plainSignAt(std::string_view text, std::size_t& length) {
   return 0;
 }
 
-/// Characters that a number may hold, plain, in `plain`; returns how many bytes of the cell they take.
+/// Copies the number at a cell's beginning to `plain`, in the form that from_chars reads. Returns the number
+/// of bytes that it takes in the cell.
 std::size_t plainNumber(std::string_view cell, const NumberStyle& style, std::string& plain) {
   std::size_t at = 0, group = 0;
   bool seenDecimal = false, seenDigit = false, seenExponent = false, seenThousands = false;
@@ -412,7 +413,7 @@ class FixedColumns {
   }
 
   NumberStyle style_;
-  std::vector<double> middles_;  // of each column, in bytes from the start of the line
+  std::vector<double> middles_;  // middle of each column, in bytes from the start of the line
 };
 
 /// Adds a cell without its quotation marks; doubled ones inside become single.

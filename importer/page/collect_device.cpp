@@ -270,7 +270,7 @@ class Collector {
   /// Some programs wrap a whole drawing into a pattern of one cell; it is repeated. Fine hatching keeps its
   /// single cell.
   void repeatTile(const Tile& tile) {
-    constexpr double maxCopies = 64;  // of one tile
+    constexpr double maxCopies = 64;  // most copies of one tile
     const double stepX = std::abs(tile.stepX), stepY = std::abs(tile.stepY);
     if (!(stepX > 0) || !(stepY > 0)) return;
     const double firstColumn = std::floor((tile.area.x0 - tile.cell.x1) / stepX) + 1;
@@ -312,7 +312,7 @@ class Collector {
 
   CollectedPage* page_;
   CollectControl* control_;
-  Box bounds_;  ///< of the page
+  Box bounds_;  ///< bounds of the page
   Box around_;  ///< the page with its width and height on every side; nothing farther off matters
   std::vector<Box> clips_;
   std::vector<bool> exactClips_{true};

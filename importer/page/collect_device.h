@@ -45,7 +45,7 @@ struct CollectControl {
   double maxRise = 0;
   fz_cookie* cookie = nullptr;
   CollectStop stop = CollectStop::none;
-  int imageWidth_px = 0, imageHeight_px = 0;  ///< of the image that was too large
+  int imageWidth_px = 0, imageHeight_px = 0;  ///< size of the image that was too large
 };
 
 VectorPath transformedPath(const VectorPath& path, const Affine& map);

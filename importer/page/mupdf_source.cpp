@@ -302,7 +302,8 @@ Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, Lett
   fz_stext_page* text = nullptr;
   const FinalCall drop([&] { fz_drop_stext_page(context, text); });
   fz_stext_options options{};
-  options.flags = FZ_STEXT_PRESERVE_LIGATURES;  // letters are known by their codes
+  // each ligature stays one letter, because letters are identified by code and place
+  options.flags = FZ_STEXT_PRESERVE_LIGATURES;
   const auto failure = drawnOn(page, fz_identity, fz_infinite_rect, progress, [&] {
     text = fz_new_stext_page(
         context, fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height)));

@@ -75,12 +75,13 @@ struct PageView {
 
 /// Limits against hostile input; all are options of `detent-import`.
 struct PageLimits {
-  double maxMegapixels = 300;  ///< of a decoded picture or a render
-  int maxPages = 2000;         ///< of a document
+  double maxMegapixels = 300;  ///< limit of a decoded picture or a render
+  int maxPages = 2000;         ///< most pages of a document
   double maxFileMegabytes = 512;
-  int maxPathPoints = 4000000;         ///< of one page; also bounds how many things it may draw
-  double maxPageSeconds = 20;          ///< of processor time, to interpret one document page, and to draw it
-  double maxDocumentMegabytes = 1024;  ///< of memory that reading a document may take, > 16
+  int maxPathPoints = 4000000;  ///< points of one page; also bounds how many things it may draw
+  /// limit of processor time for interpreting one document page, and for drawing it
+  double maxPageSeconds = 20;
+  double maxDocumentMegabytes = 1024;  ///< memory that reading a document may take, > 16
 };
 
 struct ViewOptions {

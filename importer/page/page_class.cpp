@@ -76,7 +76,8 @@ bool isBilevel(const Raster& raster) {
 /// Scanned or photographed paper varies.
 bool isFilledEvenly(const std::vector<Tile>& paper) {
   constexpr std::size_t mostLevels = 3, fewestTiles = 50;
-  constexpr double leastBare = 0.6, leastShare = 0.95;  // of the tiles, for blank ones; of the blank tiles
+  // share of the tiles that must be blank; share of the blank tiles that must have exact levels
+  constexpr double leastBare = 0.6, leastShare = 0.95;
   std::array<std::size_t, 256> counts{};
   for (const Tile& tile : paper)
     if (tile.range == 0) ++counts[static_cast<std::size_t>(std::clamp(tile.level, 0, 255))];

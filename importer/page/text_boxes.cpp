@@ -46,7 +46,8 @@ class BoxBuilder {
     const bool onPage =
         bounds_.x1 > page.x0 && bounds_.x0 < page.x1 && bounds_.y1 > page.y0 && bounds_.y0 < page.y1;
     if (!box_.utf8.empty() && onPage) {
-      box_.box = bounds_.common(page.grown(page.width(), page.height()));  // letters may be of any size
+      // limited, because a page may state letters of any size
+      box_.box = bounds_.common(page.grown(page.width(), page.height()));
       to.push_back(box_);
     }
     box_.utf8.clear();

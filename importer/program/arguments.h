@@ -32,11 +32,11 @@ struct Arguments {
 
   bool batch = false;
   bool resume = false;
-  bool withoutOverlays = false;  ///< of a batch
+  bool withoutOverlays = false;  ///< writes no overlays of a batch
   std::string outDir;
   std::string settledBy;  ///< the options that affect a result, as given, one per line
   BatchOptions batchOptions;
-  std::optional<double> timeLimit_s;  ///< of an input that is imported alone
+  std::optional<double> timeLimit_s;  ///< time limit of an input that is imported alone
 };
 
 /// Result of parsing. `arguments` is empty if the program should end at once with `exitCode` (help, version,

@@ -21,7 +21,7 @@ const char* nameOf(FamilyDoubt doubt);
 
 struct FamilyRecord {
   std::string input;
-  double speed_mm_per_s = 0;  ///< of the press
+  double speed_mm_per_s = 0;  ///< speed of the press
   std::optional<double> releaseSpeed_mm_per_s;
   double confidence = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double shownEvery = 0.05;  // of the whole
+constexpr double shownEvery = 0.05;  // share of the whole work
 
 void printLine(const Json& json) {
   std::fprintf(stdout, "%s\n", jsonText(json).c_str());

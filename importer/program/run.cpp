@@ -106,7 +106,7 @@ struct Reported {
   std::vector<std::string> objects = {};  ///< JSON, one for each graph
   std::string text = {};
   bool written = true;                    ///< false: an output could not be written
-  std::optional<Question> question = {};  ///< of the last graph
+  std::optional<Question> question = {};  ///< question about the last graph
   bool explains = false;                  ///< include the evidence of readings
 };
 
@@ -398,7 +398,8 @@ class AcceptedByBar {
 
 /// Runs in the child process; an exception that arrives here affects this input only.
 int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, Reported& reported) {
-  constexpr double beforeTheEnd = 0.9;  // of the time limit: results so far can still be reported
+  // share of the time limit after which results so far can still be reported
+  constexpr double beforeTheEnd = 0.9;
   ImportRequest request = a.request;
   request.path = input;
   if (const auto pair = a.releaseOf.find(input); pair != a.releaseOf.end())

@@ -162,7 +162,7 @@ class SheetProblem {
 
   SheetUnknowns unknowns_;
   std::vector<double> values_;
-  std::vector<int> lineOf_;                        // of each place
+  std::vector<int> lineOf_;                        // line of each place
   std::vector<int> freeOfBend_{8, 9, 10, 11, 12};  // indices in SheetUnknowns::at
   ceres::Problem problem_;
   double cost_ = 0;
@@ -230,7 +230,7 @@ SheetCovariance SheetProblem::covariance(int lines) {
 /// Counts of the lines of one axis.
 struct LineMap {
   int lengthwise = 0;  ///< lines seen along their length
-  int known = 0;       ///< of known value
+  int known = 0;       ///< lines of known value
   bool enough() const { return lengthwise >= 2 && known >= 2; }
   /// with only two lines a twist is indistinguishable from a tilt
   bool twist() const { return lengthwise >= 3; }
@@ -262,7 +262,7 @@ Point SheetUnknowns::toUnits(Point view_px) const {
 }
 
 PointNoise RefinedAxes::sigmaAt(Point mm_N) const {
-  constexpr double step = 1e-5;  // of an unknown, which is about 1
+  constexpr double step = 1e-5;  // step of an unknown, which is about 1
   const Point view_px = calibration.toView(mm_N);
   std::array<Point, SheetUnknowns::count> slope;
   for (std::size_t k = 0; k < slope.size(); ++k) {

@@ -13,7 +13,7 @@ namespace detent::importer {
 namespace {
 
 constexpr int positions = 48;          // places examined along a line
-constexpr double leastSeen = 1.0 / 3;  // of them
+constexpr double leastSeen = 1.0 / 3;  // share of the examined places at which a line must be seen
 constexpr double apart_px = 3;         // closer lines count as one
 constexpr double leastContrast = 7;    // grey levels of a mean profile, as for the lines of a frame
 constexpr int halfWidest_px = 9;       // thicker lines are bars

@@ -12,7 +12,7 @@
 namespace detent::importer::svg {
 namespace {
 
-constexpr double fallbackSide_px = 1000;  // for a drawing without a size
+constexpr double fallbackSide_px = 1000;  // side of a drawing without a size
 
 struct HandleEnd {
   void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
@@ -58,7 +58,7 @@ PageSize sizeOf(RsvgHandle* handle) {
 /// Scale of the drawing. Cairo rounds to 1/256 of a unit, so small drawings are enlarged, by a power of two
 /// so that nothing else is rounded.
 double scaleFor(const PageSize& size, bool rasters) {
-  constexpr double side_units = 8192;  // of the PDF
+  constexpr double side_units = 8192;  // largest side of the PDF
   const double side_px = std::max(size.width_px, size.height_px);
   const double exponent = std::floor(std::log2(side_units / side_px));
   return rasters && exponent > 0 ? 1 : std::exp2(std::clamp(exponent, -16.0, 16.0));

@@ -186,7 +186,7 @@ class StrictHandler : public nlohmann::detail::json_sax_dom_parser<json> {
 
   const Reader& reader_;
   int depth_ = 0;
-  std::vector<std::vector<std::string>> keys_;  // of the open objects
+  std::vector<std::vector<std::string>> keys_;  // keys of the objects that are open
 };
 
 json parsedJson(std::string_view text, const Reader& reader) {

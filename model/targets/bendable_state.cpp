@@ -13,7 +13,7 @@
 namespace detent {
 namespace {
 
-constexpr std::size_t mostHandles = 40;  // of a stroke
+constexpr std::size_t mostHandles = 40;  // most handles of a stroke
 constexpr double bulgeStiffness = 0.25;  // cost of a bulge relative to a landmark that moves as far
 constexpr double narrowest = 0.1;        // share of its width that a piece keeps
 constexpr double lowest = 0.02;          // share of its height that a rise or fall keeps
@@ -293,7 +293,8 @@ void BendableState::spread(Line& line, const std::vector<Eigen::Index>& mm,
       put(line.N, N, up[at], bulges_N[i]);
       if (i == left) continue;
       const std::size_t before = line.handles[i - 1].knot - first;
-      const double least = 0.02;  // share of the stretch: close knots do not become rigid
+      // share of the stretch; closer knots get no stiffer spring than knots at this distance
+      const double least = 0.02;
       unknowns.spring(bulges_mm[i - 1], bulges_mm[i],
                       bulgeStiffness / std::max(least, along[at] - along[before]));
       unknowns.spring(bulges_N[i - 1], bulges_N[i],

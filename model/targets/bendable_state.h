@@ -29,7 +29,7 @@ enum class ShapeRule {
 
 /// Part of the curve that an unknown moves.
 enum class Moved {
-  landmark,    ///< of the press, before the bottom-out
+  landmark,    ///< a landmark of the press, before the bottom-out
   stopTravel,  ///< the start of the bottom-out or the end of a stroke, in displacement
   stopForce,   ///< the same in force
   bulge,       ///< of the press

@@ -23,7 +23,7 @@ constexpr double settled = 1e-5;        // an unknown that moves by less has con
 constexpr double exact = 1e-9;          // shares of travel and range: a closer figure is met
 constexpr double leastPart = 1.0 / 32;  // smallest share of the way to the targets that a step must achieve
 constexpr double leastStep = 1.0 / 256;
-// a bottom-out start that moves this many times as far as any landmark is another one
+// if a bottom-out's start moves this many times as far as any landmark, another place has become the start
 constexpr double largestStep = 4;
 constexpr double leastOfWay = 1.0 / 64;  // resolution of the limit of an impossible value
 
