@@ -36,13 +36,14 @@ enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 /// "odrive:PORT", "falcon", "falcon:N".
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
-  std::string port;          ///< of serial and odrive
-  unsigned baud = 230400;    ///< of serial and odrive; USB ignores it
-  unsigned axis = 0;         ///< of an ODrive
-  double mmPerTurn = 60;     ///< of an ODrive's capstan; negative if the motor is mounted the other way round
-  bool uploadTable = false;  ///< of serial: the microcontroller runs the law at its own rate
-  unsigned number = 0;       ///< of several Falcons
-  std::string firmwareFile;  ///< of a Falcon; empty: it has received one since it was switched on
+  std::string port;        ///< port of serial and odrive
+  unsigned baud = 230400;  ///< rate of serial and odrive; USB ignores it
+  unsigned axis = 0;       ///< axis of an ODrive
+  double mmPerTurn =
+      60;  ///< travel per turn of an ODrive's capstan; negative if the motor is mounted the other way round
+  bool uploadTable = false;  ///< serial: the microcontroller runs the law at its own rate
+  unsigned number = 0;       ///< index among several Falcons
+  std::string firmwareFile;  ///< firmware of a Falcon; empty: it has received one since it was switched on
   ForceDeviceProfile profile;
 };
 /// Failure: wrongUsage with the words that are known.
@@ -119,8 +120,8 @@ struct DeviceMeasurement {
   ForceDeviceMeasurement device;
   MotionIdentification motion;
   MotionRecord record;        ///< the record that was evaluated, for plots
-  double roundTrip_s = 0;     ///< of the link to the device; 0: there is none, or it is fast
-  double longestPause_s = 0;  ///< of this computer; samples during a pause are not evaluated
+  double roundTrip_s = 0;     ///< round trip of the link to the device; 0: there is none, or it is fast
+  double longestPause_s = 0;  ///< longest pause of this computer; samples during a pause are not evaluated
 };
 /// Takes some ten seconds. Calls `onward` often with the completed share (0..1); false cancels. Failure:
 /// wrongUsage; deviceTrouble if the device cannot be opened, does not move, or moves the other way;

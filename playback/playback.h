@@ -98,9 +98,10 @@ struct PlayerStatus {
   /// 20 ms late.
   double force_N = 0, displacement_mm = 0;
   bool releasing = false, contact = false;
-  int state = 0;              ///< of a self-locking button
-  double speed_mm_per_s = 0;  ///< of the present or last press, for a button with several; 0: unknown
-  double level = 0;           ///< peak of the last 20 ms, share of full scale
+  int state = 0;  ///< present state of a self-locking button
+  /// speed of the present or last press, for a button with several speeds; 0: unknown
+  double speed_mm_per_s = 0;
+  double level = 0;  ///< peak of the last 20 ms, share of full scale
   double felt_dB =
       -std::numeric_limits<double>::infinity();  ///< strongest 10 ms of the last 1.5 s, above threshold
   double load = 0, meanLoad = 0;                 ///< share of the block's time spent in the callback
@@ -222,7 +223,7 @@ struct LatencySettings {
   std::string sensorPort;      ///< empty: a simulated sensor ramps through the tactile force
   unsigned baud = 230400;
   SensorCalibration calibration;
-  double threshold = 0;  ///< of full scale on the input; 0: eight times the noise, at least 1e-4
+  double threshold = 0;  ///< share of full scale on the input; 0: eight times the noise, at least 1e-4
 };
 
 /// Delays from the moment at which the force passed the tactile force to the first vibration on the input.

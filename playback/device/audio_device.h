@@ -91,7 +91,7 @@ Result<Recording> playAndRecord(const AudioSettings& output, const std::string& 
 class AudioCapture {
  public:
   struct Block {
-    double time_s = 0;  ///< of the first sample
+    double time_s = 0;  ///< time of the first sample
     std::vector<float> samples;
   };
   static Result<std::unique_ptr<AudioCapture>> open(const std::string& inputDevice, double sampleRate_Hz);

@@ -24,7 +24,7 @@ struct FalconCommand {
 };
 
 struct FalconAnswer {
-  std::array<int, 3> counts{};  ///< of the encoders
+  std::array<int, 3> counts{};  ///< counts of the encoders
   bool homed = false;           ///< all three have passed their index mark
 };
 

@@ -15,7 +15,7 @@ struct ForceLinkCounts {
   std::uint64_t exchanges = 0;      ///< readings that were requested
   std::uint64_t late = 0;           ///< answers that did not come in their period
   std::uint64_t malformed = 0;      ///< answers that could not be decoded
-  std::uint64_t repeated = 0;       ///< the same answer again
+  std::uint64_t repeated = 0;       ///< answers that came again, or without a request
   std::uint64_t reconnects = 0;     ///< times the device came back
   std::uint64_t firmwareTries = 0;  ///< uploads of a firmware, the successful ones included
   std::uint64_t clearedFault = 0;   ///< the last fault that was found and cleared

@@ -30,7 +30,7 @@ constexpr std::uint32_t unansweredQuestions = 3;
 constexpr double unheard_s = 0.010, unheardTrips = 3, longestUnheardEver_s = 0.05;
 // after these questions the line is sent again, answered or not
 constexpr std::int32_t questionsForALine = 8;
-constexpr int stoppedState = 1, unlimitedState = 2, deadCountState = 3;  // of an answer
+constexpr int stoppedState = 1, unlimitedState = 2, deadCountState = 3;  // states that an answer reports
 
 /// Fields between commas. A line with more fields than fit is not of this protocol.
 struct Fields {

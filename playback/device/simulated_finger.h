@@ -15,9 +15,9 @@ struct FingerMechanics {
   double mass_kg = 0.008;
   double stiffness_N_per_mm = 0.3;
   double damping_Ns_per_mm = 0.002;
-  double pulpStiffness_N_per_mm = 2;  ///< of the contact
+  double pulpStiffness_N_per_mm = 2;  ///< stiffness of the fingertip's contact
   double pulpDamping_Ns_per_mm = 0.001;
-  double reaction_s = 0.12;  ///< from feeling the bottom to turning back
+  double reaction_s = 0.12;  ///< time from feeling the bottom to turning back
   double tremor_mm = 0.006;  ///< peak
 };
 

@@ -18,9 +18,10 @@ constexpr std::size_t fewestSamples = 30, mostKnots = 32;
 constexpr double leastMovement_quanta = 10;
 // Speed counts as constant if 80 % of the moving samples lie within this share of the median.
 constexpr double constantSpread = 0.15;
-constexpr double movingShare = 0.1;    // of the fastest; slower samples say nothing about the speed
-constexpr double standsOut = 3;        // in standard errors: significance
-constexpr double slidingShare = 0.02;  // of the fastest: from this speed on friction has its full value
+// share of the largest speed; slower samples say nothing about the speed
+constexpr double movingShare = 0.1;
+constexpr double standsOut = 3;        // standard errors from which a value is significant
+constexpr double slidingShare = 0.02;  // share of the largest speed from which friction has its full value
 constexpr double mmPerM = 1000;
 // of the squared residual: at least this share counts as noise of the force, not as rounding of positions
 constexpr double leastNoiseShare = 0.05;
@@ -234,13 +235,13 @@ class StayWeights {
   }
 
  private:
-  std::vector<std::vector<Eigen::Index>> rows_;  ///< of each rest
-  std::vector<double> factor_;                   ///< of each rest, 0..1
+  std::vector<std::vector<Eigen::Index>> rows_;  ///< rows of each rest
+  std::vector<double> factor_;                   ///< weight of each rest, 0..1
 };
 
 struct Solution {
   Eigen::VectorXd parameters;
-  Eigen::MatrixXd inverse;  ///< of the normal matrix
+  Eigen::MatrixXd inverse;  ///< inverse of the normal matrix
   double condition = 1;
 };
 
@@ -253,7 +254,7 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
   Solution solution;
   // The problem is linear, so one decomposition solves it. A combination of parameters that the record does
   // not determine gets no standard error.
-  constexpr double saysNothing = 1e-7;  // of the largest singular value
+  constexpr double saysNothing = 1e-7;  // share of the largest singular value
   auto svd = design.bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(saysNothing);
   const Eigen::VectorXd& singular = svd.singularValues();
@@ -269,8 +270,9 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
 /// windows).
 struct Influence {
   Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
-  double forceSquares = 0;           ///< of the effects of each sample's force on each equation
-  double placeSquares = 0;           ///< of the effects of each moving sample's position on each equation
+  double forceSquares = 0;  ///< sum of squares of the effects of each sample's force on each equation
+  /// sum of squares of the effects of each moving sample's position on each equation
+  double placeSquares = 0;
 };
 
 Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equations& equations,

@@ -41,12 +41,13 @@ struct Identification {
   std::optional<Estimate> mass_kg;     ///< only if it is significantly larger than its error
   DampingDoubt doubt = DampingDoubt::none;
   double doubtFigure = 0;  ///< constantSpeed: spread of speed, share; notCertain: sigma(b) / b
-  /// of the columns of the fit, each scaled to length 1; large: the parameters are hard to distinguish
+  /// condition number of the fit's columns, each scaled to length 1; large: the parameters are hard to
+  /// distinguish
   double condition = 1;
   double residual_N = 0;                  ///< rms
-  double step_mm = 0;                     ///< of the recording's displacement
-  std::size_t samples = 0;                ///< that entered the fit
-  std::vector<double> velocity_mm_per_s;  ///< of every sample of the record, for plots
+  double step_mm = 0;                     ///< smallest step of the recorded displacement
+  std::size_t samples = 0;                ///< number of samples in the fit
+  std::vector<double> velocity_mm_per_s;  ///< velocity at every sample of the record, for plots
 };
 
 /// Failure: wrongUsage for settings out of range; unreadableInput where the record is too short or does not

@@ -30,8 +30,8 @@ std::int64_t firstOnsetOnGrid(const PressPlan& plan, const Stretch& stretch, dou
 /// Level and frequency between two moments.
 struct EnvelopeStep {
   std::int64_t from = 0, to = 0;  ///< samples
-  double amplitude = 0;           ///< of the sine with the energy of this step, at most 1
-  double frequency_Hz = 0;        ///< of the strongest sound in it
+  double amplitude = 0;           ///< amplitude of the sine with the energy of this step, at most 1
+  double frequency_Hz = 0;        ///< frequency of the strongest sound in it
   EventKind strongest = EventKind::grain;
   bool onset = false;  ///< the step begins with a jump or a bottom-out
 };
@@ -53,7 +53,7 @@ struct TimedLevels {
   std::int64_t zero = 0;  ///< sample at which the steps begin
   int full = 255;
   std::vector<Level> levels;         ///< the last one is 0; empty if nothing is felt
-  std::vector<std::int64_t> onsets;  ///< of jumps and bottom-outs, as played
+  std::vector<std::int64_t> onsets;  ///< times of jumps and bottom-outs, as played
 };
 /// Levels of a stretch, in steps of `step_ms` and never shorter than `least_ms`. Each jump and bottom-out
 /// that is at least that far behind the previous one begins a level, with an error of at most half a

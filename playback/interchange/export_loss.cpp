@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::size_t finer =
     4;  // bins relative to the press's own: a burst at the edge of a band is divided exactly there
-constexpr double noEnergy = 1e-9;      // of the whole: a smaller band of the engine is rounding
-constexpr double ofTransform = 1e-24;  // of the whole: rounding of the transform in silence
+constexpr double noEnergy = 1e-9;  // share of the whole energy; a band of the engine below it is rounding
+// share of the whole energy that the transform's rounding causes in silence
+constexpr double ofTransform = 1e-24;
 
 /// Share of the bin around `frequency_Hz`, `width_Hz` wide, that lies within the band.
 double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {

@@ -23,9 +23,9 @@ struct ExportLoss {
   /// Energy as played, per band, as a share of the engine's; above 1 if energy moved there from another band.
   /// Empty: the engine has no energy there.
   std::array<std::optional<double>, feltBands.size()> energyKept;
-  double worstTimingError_ms = 0;    ///< of jumps and bottom-outs
+  double worstTimingError_ms = 0;    ///< largest error of jumps and bottom-outs
   std::size_t grainsMerged = 0;      ///< grains that are no separate events any more
-  double frequencyMoved_Hz = 0;      ///< at most
+  double frequencyMoved_Hz = 0;      ///< largest shift of a frequency
   bool cut = false;                  ///< the format cannot hold the end of the press, or of its release
   std::vector<std::string> dropped;  ///< as sentences, including the cut
 };

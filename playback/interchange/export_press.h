@@ -50,8 +50,8 @@ struct ExportSettings {
   ExportFormat format = ExportFormat::package;
   std::string pressName;         ///< description of the press, for the file
   Feel feel = Feel::clear;       ///< how the program was prepared, for the file
-  double sampleRate_Hz = 48000;  ///< of pcm; 8000..192000
-  unsigned bits = 16;            ///< of pcm; 8 or 16
+  double sampleRate_Hz = 48000;  ///< sample rate of pcm; 8000..192000
+  unsigned bits = 16;            ///< bits of a sample of pcm; 8 or 16
 };
 
 struct Exported {

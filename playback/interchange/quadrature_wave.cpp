@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::int64_t pieceFrames = 960;
 constexpr std::array<std::int64_t, 9> stepsTried{480, 240, 120, 60, 30, 15, 8, 4, 2};
-constexpr std::size_t half = 3;  // of the band: each sample depends on two points with two amplitudes each
+// half width of the band, because each sample depends on two points with two amplitudes each
+constexpr std::size_t half = 3;
 
 /// Symmetric, positive definite, banded system; solved in place by Cholesky.
 class BandSystem {

@@ -13,7 +13,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double anyNumber = 1e9;
-constexpr double longestEvent_s = 30;   // of a continuous event
+constexpr double longestEvent_s = 30;   // longest continuous event
 constexpr double curveStep_s = 0.0005;  // distance of interpolated points where the amplitude is not linear
 
 /// Value of a dynamic parameter over time. Each curve or parameter applies from its first point until another

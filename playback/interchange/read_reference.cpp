@@ -16,7 +16,8 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t largestText = std::size_t{16} << 20;
-constexpr double mostSounding_s = 1200;  // of all waves together, so that reading takes well under a second
+// duration of all waves together, limited so that reading takes well under a second
+constexpr double mostSounding_s = 1200;
 constexpr std::size_t longestName = 60, mostNotes = 16;
 
 Failure unreadable(const std::string& name, Message place, Message problem, const Message& remedy) {

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double tolerance = 3e-4;  // of full scale
+constexpr double tolerance = 3e-4;  // share of full scale
 constexpr std::size_t mostBandsOfLevel1 = 7;
 constexpr const char* noDate =
     "1970-01-01";  // a date is required; a fixed one makes files of equal presses equal
@@ -177,7 +177,7 @@ Reduction hjifOf(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   Reduction reduction;
   std::vector<std::vector<Effect>> bands;
-  std::vector<double> sum;  // of all bands
+  std::vector<double> sum;  // sum of all bands
   if (burstsPassUnfiltered(source.program)) {
     for (const PlannedBurst& planned : plan.bursts) {
       if (planned.kind == EventKind::grain) continue;

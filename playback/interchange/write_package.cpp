@@ -39,7 +39,7 @@ struct Trigger {
 
 /// A part of a stroke with grains; `level` is a factor on the amplitude of each.
 struct SlopePiece {
-  double from_mm = 0, to_mm = 0;  ///< of its first and last grain
+  double from_mm = 0, to_mm = 0;  ///< places of its first and last grain
   double level = 1;
 };
 
@@ -53,7 +53,7 @@ struct StatePackage {
   double settled_N = 0;  ///< force at which a release reaches StateProgram::rest_mm
 };
 
-constexpr double gainTolerance = 1e-4;  // of full scale
+constexpr double gainTolerance = 1e-4;  // share of full scale
 
 double inGrams(double force_N) { return force_N / newtonsPer(ForceUnit::gramForce); }
 

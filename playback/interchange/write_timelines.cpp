@@ -294,7 +294,7 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
 constexpr std::size_t androidPoints = 16;
 constexpr int androidStep_ms = 20,
               androidLongest_ms = 1000;  // longest duration between two points that every device accepts
-constexpr double androidTiming_ms = 1;   // by which an envelope may shift a jump or bottom-out
+constexpr double androidTiming_ms = 1;   // largest shift of a jump or bottom-out by an envelope
 
 struct AndroidPoint {
   double amplitude = 0, frequency_Hz = 0;
@@ -385,7 +385,7 @@ struct KotlinWaveform {
 
 /// A method of the Java virtual machine has at most 64 KB of code, with 8 bytes for each number in a list.
 KotlinWaveform kotlinLevels(const std::string& name, const TimedLevels& timed) {
-  constexpr std::size_t mostNumbers = 2000;  // of a list within one function
+  constexpr std::size_t mostNumbers = 2000;  // numbers of one list in one function
   const std::vector<TimedLevels::Level> levels = withoutRepeats(timed.levels);
   KotlinWaveform waveform;
   const auto list = [&](const char* what, const char* arrayOf, const auto& numberOf) {
@@ -514,8 +514,8 @@ Reduction openxrOf(const ExportSource& source) {
     take();
     if (voice.points.size() <= openxrPoints) break;
   }
-  // If the points are used up, a longer press is stored up to there. Each step needs at most three; jumps
-  // never move.
+  // If even the coarsest steps need too many points, only the beginning of the press is stored; its jumps
+  // keep their times. A step needs at most three points.
   while (voice.points.size() > openxrPoints) {
     steps.resize(steps.size() - (voice.points.size() - openxrPoints + 2) / 3);
     take();

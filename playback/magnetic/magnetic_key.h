@@ -17,8 +17,10 @@ namespace detent::playback {
 
 /// Distances of rapid trigger, both > 0. It begins when the key closes at the actuation point.
 struct RapidTrigger {
-  double press_mm = 0.1;    ///< below the highest place since it opened: closes again
-  double release_mm = 0.1;  ///< above the deepest place since it closed: opens
+  /// distance from the highest place since the key opened, downwards, at which it closes again
+  double press_mm = 0.1;
+  /// distance from the deepest place since the key closed, upwards, at which it opens
+  double release_mm = 0.1;
   /// Stays active until the key is fully released (top dead zone, or rest), so that the key also closes above
   /// the actuation point; else ends at the release point, and the key closes only below the actuation point.
   bool continuous = false;

@@ -19,8 +19,9 @@ struct KnownWeight {
 struct CalibrationSettings {
   SensorCircuit circuit = SensorCircuit::divider;
   double fullScale_counts = 1023;
-  unsigned highestDegree = 3;     ///< 1..3; lower if the weights do not support more
-  double relativeError = 0.02;    ///< of one reading (FSR 400: +-2 % single part); weights the fit; >= 0
+  unsigned highestDegree = 3;  ///< 1..3; lower if the weights do not support more
+  /// relative error of one reading (FSR 400: +-2 % single part); weights the fit; >= 0
+  double relativeError = 0.02;
   double absoluteError_N = 0.01;  ///< > 0
 };
 

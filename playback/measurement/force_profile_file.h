@@ -22,7 +22,7 @@ struct ForceDeviceMeasurement {
   Value late_s;  ///< delay and lag together
   /// rate of the loop that measured it: if a host runs the law, the delay contains one period
   double rate_Hz = 0;
-  double step_mm = 0;  ///< of the encoder
+  double step_mm = 0;  ///< step of the encoder
 };
 
 /// A profile with the device's own mass, friction, damping, delay and lag. If a host runs the law (`hosted`)

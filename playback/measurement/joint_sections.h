@@ -20,7 +20,7 @@ struct JointSections {
   std::vector<Resonance> resonances;  ///< strongest first; gain above the level around them
   std::vector<ResonanceErrors>
       errors;         ///< one each, from the residuals; neighbouring residuals that agree count as one
-  double rms_dB = 0;  ///< of the residuals
+  double rms_dB = 0;  ///< root mean square of the residuals
 };
 
 /// `frequency_Hz` increasing and > 0, `gain_dB` as many; `start`: first estimates of the peaks, at most 32.

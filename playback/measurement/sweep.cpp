@@ -19,7 +19,7 @@ constexpr double responseLength_s = 0.8;  // length of the impulse response that
 constexpr double wholeShare = 0.5;        // share of the impulse response before it fades out
 constexpr double beforePeak_s = 0.01;
 constexpr double stepsPerOctave = 24;
-constexpr double regularisation = 1e-6;  // of the sweep's strongest bin
+constexpr double regularisation = 1e-6;  // share of the sweep's strongest bin
 constexpr double faintest_dB = 20;  // least height of the response's peak over the rest of the deconvolution
 
 // For finding lost sound (dropoutsIn). A block of 256 samples is 5 ms; a deviation of half the expected level
@@ -103,7 +103,8 @@ void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
     Resonance found;
     found.frequency_Hz = r.frequency_Hz[i] * std::exp2(shift / stepsPerOctave);
     found.gain_dB = b - median;
-    const double depth_dB = prominence_dB / 2;  // above the valleys
+    // depth at which the width is measured: half of the height above the valleys
+    const double depth_dB = prominence_dB / 2;
     found.q = qualityOf(widthOf(r, i, depth_dB), std::max(found.gain_dB, prominence_dB), depth_dB);
     r.resonances.push_back(found);
   }

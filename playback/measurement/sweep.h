@@ -19,7 +19,7 @@ struct SweepSettings {
   double duration_s = 10;             ///< (0.5, 120]
   /// silence after the sweep, for the ringing of the device and the delay of the sound path
   double silence_s = 1;
-  double level = 0.5;                 ///< of full scale; (0, 1]
+  double level = 0.5;                 ///< share of full scale; (0, 1]
   double resonanceProminence_dB = 3;  ///< height of a peak above its valleys from which it counts
   double highestCut_dB = 12;          ///< equalizer bands attenuate at most this much
 };
@@ -35,7 +35,7 @@ struct FrequencyResponse {
       /// one for each resonance; empty if the response is no sum of peaking sections, so each peak was
       /// measured alone
       errors;
-  double delay_s = 0;  ///< of the sound path
+  double delay_s = 0;  ///< delay of the sound path
   std::vector<double>
       dropouts_s;  ///< times at which the recording differs from the expected response: sound was lost
 };

@@ -42,7 +42,7 @@ double weight(const std::vector<double>& half, double crossings) {
 std::vector<float> resampled(const std::vector<float>& samples, double from_Hz, double to_Hz) {
   if (from_Hz == to_Hz || samples.empty()) return samples;
   const double ratio = to_Hz / from_Hz;
-  const double cut = std::min(1.0, ratio);  // of the frequency band that is kept
+  const double cut = std::min(1.0, ratio);  // share of the frequency band that is kept
   const double reach = zeroCrossings / cut;
   const auto count = static_cast<std::size_t>(std::ceil(static_cast<double>(samples.size()) * ratio));
   const auto last = static_cast<std::ptrdiff_t>(samples.size()) - 1;

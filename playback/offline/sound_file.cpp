@@ -152,7 +152,7 @@ Message whyNotRead() {
   return Message("is no sound file that can be read: %1", why);
 }
 
-// of the energy that the mean would have if only the strongest channel had sound
+// share of the energy that the mean would have if only the strongest channel had sound
 constexpr double cancelledShare = 0.5;
 
 /// 0, or the number of the strongest channel if the mean of the channels has clearly less energy than that

@@ -17,7 +17,7 @@ struct Finger {
   double muscleFall_s = 0.045;         ///< 1.5 times the rise
   double extensorShare = 1;            ///< 0.7..1.3, times 0.6 of the amplitude
   double feedbackDelay_s = 0.08;       ///< 0.06..0.10
-  double restingWeightMedian_N = 0.4;  ///< of this finger at rest
+  double restingWeightMedian_N = 0.4;  ///< median weight of this finger at rest
 };
 
 /// Spread of one finger's resting weight, in the logarithm.

@@ -17,8 +17,9 @@ namespace {
 constexpr double metre_mm = 1000;
 // distance from operating point to reset point if the button has none
 constexpr double usualDifferential_mm = 0.1;
-constexpr double leastForce_N = 0.02;  // of a key: with less, only the finger's own weight would press
-constexpr double feltDrop = 0.07;      // share of the peak force: Weber fraction of force for a finger
+// least force of a key: with less, only the finger's own weight would press
+constexpr double leastForce_N = 0.02;
+constexpr double feltDrop = 0.07;  // share of the peak force: Weber fraction of force for a finger
 constexpr double feltDrop_N = 0.02;
 
 bool jumpIsFelt(const StrokeCurve& press, double close_mm) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double steepest_N_per_m =
     200000;  // slope of a graph's vertical rise; steeper ones would need a step below 50 µs
-constexpr double ownDamping_Ns_per_m = 0.2;  // of every key cap
+constexpr double ownDamping_Ns_per_m = 0.2;  // damping of every key cap itself
 constexpr double tableMetre_mm = 1000;
 
 /// Limits slopes to what the step can follow; the force at the start is kept.

@@ -12,8 +12,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double startHeight_m = 0.003;  // of the finger above the cap
-constexpr double posture_N_per_m = 20;   // of the spring that pulls the finger back to its start
+constexpr double startHeight_m = 0.003;  // height of the finger above the cap
+constexpr double posture_N_per_m = 20;   // stiffness of the spring that pulls the finger back to its start
 constexpr double joint_Ns_per_m = 0.5;
 constexpr double extensorDecay_s = 0.02;
 constexpr double play_m = 0.00002;  // travel from the release branch to the press branch

@@ -21,7 +21,7 @@ inline constexpr double rapidTravel_m = 0.0002;  ///< distance at which a rapid 
 
 /// Command to the finger.
 struct PressCommand {
-  double amplitude_N = 1;  ///< of the flexor, > 0
+  double amplitude_N = 1;  ///< amplitude of the flexor, > 0
   double duration_s = 0.08;
   double lift_s = 0;  ///< from the end of the flexor's pulse to the start of the extensor's; may be negative
 };
@@ -30,7 +30,7 @@ struct PressCommand {
 struct PressOutcome {
   std::optional<double> touch_s, activation_s, opening_s, rapidOpening_s;
   int closings = 0, rapidClosings = 0;
-  double peak_N = 0;  ///< of the force between fingertip and cap
+  double peak_N = 0;  ///< largest force between fingertip and cap
   double peak_s = 0;
   double impulse_Ns = 0;  ///< time integral of the contact force
   double deepest_m = 0;

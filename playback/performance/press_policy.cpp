@@ -22,9 +22,10 @@ constexpr double costOfDouble = 20;
 
 // part of an amplitude's standard deviation that does not depend on its size
 constexpr double tremor_N = 0.02;
-constexpr double depthSpreadUnfelt = 0.1;  // of the operating point, if no jump marks it
-constexpr double unfeltNotice_s = 0.25;    // from the command to seeing the result on the screen
-constexpr double mostFaults = 0.05;        // share of misses, and of doubles, at the highest rate
+// spread of the expected operating point, as a share of it, if no jump marks it
+constexpr double depthSpreadUnfelt = 0.1;
+constexpr double unfeltNotice_s = 0.25;  // time from the command until the result is seen on the screen
+constexpr double mostFaults = 0.05;      // share of misses, and of doubles, at the highest rate
 constexpr int noiseScores = 256;
 constexpr int depthScores = 9;
 constexpr int amplitudeSteps = 36;

@@ -14,7 +14,7 @@ namespace detent::playback {
 struct PressTask {
   ContactPoints contact;
   bool jumpIsFelt = false;
-  std::optional<double> period_s;  ///< of a paced task: the mean cycle must fit into it; > 0
+  std::optional<double> period_s;  ///< period of a paced task: the mean cycle must fit into it; > 0
 };
 
 /// Means over the noise of one finger. Shares in 0..1, times in s.
@@ -22,7 +22,7 @@ struct PressStatistics {
   double peak_N = 0, impulse_Ns = 0;
   double activation_s = 0, activationSpread_s = 0;  ///< times from the first touch
   double commandToActivation_s = 0, commandToActivationSpread_s = 0;
-  double impactSpread_s = 0;  ///< of the time from command to the peak force
+  double impactSpread_s = 0;  ///< standard deviation of the time from the command to the peak force
   double cycle_s = 0;         ///< command to end of press
   /// from activation to the opening of the contact: at the button's reset point, and by rapid trigger
   double held_s = 0, rapidHeld_s = 0;

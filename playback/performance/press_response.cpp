@@ -8,7 +8,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double firstGuess_N = 1;
-constexpr int halvings = 10;  // of an interval of a factor of 2, to 0.1 %
+constexpr int halvings = 10;  // bisections of an interval of a factor of 2, to 0.1 %
 
 // Simulated amplitudes, relative to the least that activates; closely spaced where the time of activation
 // changes fast.

@@ -18,7 +18,7 @@ namespace detent::playback {
 struct Resonance {
   double frequency_Hz = 0;
   double q = 1;
-  double gain_dB = 0;  ///< above the response around it
+  double gain_dB = 0;  ///< height above the response around it
 };
 
 /// The actuator that turns the signal into movement, and its limits.

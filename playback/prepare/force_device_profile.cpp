@@ -18,7 +18,7 @@ ForceDeviceProfile falconDevice() {
   p.friction_N = 0.1;
   p.step_mm = 0.038;
   p.limits.force_N = 8;      // value of libnifalcon and CHAI3D
-  p.limits.lowest_mm = -40;  // of its reach of 100 mm, with the rest position at falconRest_mm
+  p.limits.lowest_mm = -40;  // its reach is 100 mm, with the rest position at falconRest_mm
   p.limits.highest_mm = 70;
   p.guide = {true, 1.0, 0.002, 3};
   return p;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double mmPerM = 1000;
 constexpr double flattest_N_per_mm = 1e-3;
-constexpr int halvings = 14;          // of a range of six decades, to 0.1 %
-constexpr double usableShare = 0.92;  // of the limit found, because encoder steps are left out
+constexpr int halvings = 14;          // bisections of a range of six decades, to 0.1 %
+constexpr double usableShare = 0.92;  // share of the limit found, because encoder steps are left out
 constexpr double timing_s =
     10e-6;  // allowance for the error of the measured delay (identify-device: 19 µs at worst)
 constexpr double start_mm = 1, escaped_mm = 100;  // the loop is linear, so only their ratio matters
@@ -95,7 +95,7 @@ class Swing {
   double step_s_;
   VelocityEstimator velocity_;
   std::vector<double> late_;  // forces under way, one per time step
-  double laterShare_;         // of the step in which a force arrives, the part before its arrival
+  double laterShare_;         // share of the step in which a force arrives that lies before its arrival
   std::size_t newest_ = 0;
   double position_mm_ = start_mm, velocity_mm_per_s_ = 0, motor_N_;
   double follows_, meanShare_,

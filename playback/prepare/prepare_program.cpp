@@ -17,7 +17,9 @@ namespace {
 constexpr double highestFrequency_Hz = 2000;
 constexpr double lowestBottomOut_Hz = 1;  // a bottom-out vibration lasts at least half a wave
 constexpr double sharpestResonance = 1e4;
-constexpr double largestCoefficient = 1e9;  // N; the linear quantity of a divider may be as small as 1e-3
+// limit of a coefficient, N; large, because the quantity of a divider that it multiplies may be as small as
+// 1e-3
+constexpr double largestCoefficient = 1e9;
 constexpr double largestNoise_N = 50, longestLatency_s = 10;
 // -120 dB: with less, a profile's transducer could bear no signal at all
 constexpr double faintestCeiling = 1e-6;

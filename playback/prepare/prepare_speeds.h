@@ -18,7 +18,7 @@ Result<std::vector<SpeedProgram>> prepareSpeeds(const Button& button, const Devi
                                                 const PlaybackSettings& settings);
 
 inline constexpr double finestSpeedStep = 0.02;  // a third of the smallest difference that a finger feels
-inline constexpr int mostSpeedSteps = 8;         // from one stated speed to the next
+inline constexpr int mostSpeedSteps = 8;         // most steps from one stated speed to the next
 
 /// The program under a finger: `front`, prepared from the same three, with its speeds.
 Result<LiveProgram> prepareLive(const PreparedProgram& front, const Button& button,

@@ -19,7 +19,7 @@ constexpr std::size_t travelSamples = 1024;     // along the travel
 constexpr double leastAllowed_N_per_mm = 0.01;  // with a lower slope limit nothing could be felt
 constexpr double rounding = 1.0001;
 constexpr double limitedTo =
-    0.95;  // of the allowed slope: between its points, a curve of few knots is up to 2.2 % steeper
+    0.95;  // share of the allowed slope: between its points, a curve of few knots is up to 2.2 % steeper
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 

@@ -78,7 +78,8 @@ void reportCalibration(const KnownWeight& weight, const RawReading& raw) {
 
 struct Weighings {
   std::vector<KnownWeight> weights;
-  std::vector<double> sds;  ///< of the raw readings; as many as weights if they were measured
+  /// standard deviations of the raw readings; as many as weights if they were measured
+  std::vector<double> sds;
 };
 
 /// Asks the person at the terminal for weights: one mass per line, until an empty line or the end of input.

@@ -30,7 +30,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t mostDrawnSteps = 200000;  // of a plot; the log contains all
+constexpr std::size_t mostDrawnSteps = 200000;  // most steps in a plot; the log contains all
 
 struct ForceArguments {
   std::string button, device = "sim", finger = "press";

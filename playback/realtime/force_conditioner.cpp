@@ -10,8 +10,8 @@ constexpr std::uint32_t earlyReadingsThatProve = 8;  // 19 ms at 425 Hz, 80 ms a
 }
 
 ConditionerSettings limitsFor(const HapticProgram& program) {
-  constexpr double overload = 5;           // for a finger that presses a button five times too hard
-  constexpr double fastestPress_s = 1e-3;  // from zero to the strongest force
+  constexpr double overload = 5;           // factor for a finger that presses a button five times too hard
+  constexpr double fastestPress_s = 1e-3;  // shortest time from zero to the strongest force
   constexpr double noisiest = 0.125;       // share of the strongest force
   const double strongest_N = strongestForce_N(program);
   ConditionerSettings settings;

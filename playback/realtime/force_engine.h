@@ -26,7 +26,7 @@ struct ForceReading {
     found  ///< homed anew with this reading
   };
   double position_mm = 0;               ///< along the button's axis, 0 at rest, grows with pressing
-  std::array<double, 2> sideways_mm{};  ///< of three-axis devices; 0 on the axis
+  std::array<double, 2> sideways_mm{};  ///< sideways position on three-axis devices; 0 on the axis
   bool fresh = true;                    ///< false: no new answer in this period
   double periods = 1;                   ///< since the previous reading; more than 1 if the loop was late
   Zero zero = Zero::kept;
@@ -129,7 +129,7 @@ class ForceEngine {
       0;  ///< centre of a play of half an encoder step, so that flicker between two steps does not move it
   double balanceOrigin_mJ_ = 0;  ///< balance less energy less state energy
   bool full_ = false;            ///< the full force acts, so the balance counts
-  double heldForce_N_ = 0;       ///< of the last good reading, before the limits
+  double heldForce_N_ = 0;       ///< force at the last good reading, before the limits
   bool exchanged_ = false;       ///< the next step is the first of another button
   double exchange_N_ = 0;        ///< old force minus new one at the exchange
   double exchangeLeft_ = 0;      ///< remaining share of the difference, 1..0

@@ -30,7 +30,7 @@ class NoiseEstimate {
   std::size_t historyCount_ = 0;
   std::array<double, medianLength> ring_{}, sorted_{};
   std::size_t ringNext_ = 0, ringCount_ = 0;
-  double quickMean_ = 0, slowMean_ = 0;  // of the squares
+  double quickMean_ = 0, slowMean_ = 0;  // running means of the squares
   double count_ = 0;
 };
 
@@ -79,7 +79,7 @@ class ForceSteadier {
   double known_ = 0, most_ = 0;
   std::array<double, longest> ring_{};
   std::size_t newest_ = 0, count_ = 0;
-  std::array<double, windows> means_{};     // of the last 2^k readings
+  std::array<double, windows> means_{};     // mean of the last 2^k readings
   std::array<double, windows> extremes_{};  // highest (or lowest) of each since the finger turned
   std::size_t extremeCount_ = 0;            // number of means that contain only readings since then
   std::size_t age_ = 0;                     // readings since then

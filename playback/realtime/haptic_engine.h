@@ -57,7 +57,7 @@ struct EngineEvent {
   std::uint32_t count = 1;  ///< number of grains merged into this burst
   std::int64_t frame = 0;   ///< sample at which the burst sounds
   double displacement_mm = 0;
-  double amplitude = 0;  ///< of its burst, before filters and gain; 0 where none sounds
+  double amplitude = 0;  ///< amplitude of its burst, before filters and gain; 0 if none sounds
 };
 
 /// Running totals; all since the engine started.

@@ -28,7 +28,7 @@ enum class Envelope : std::uint8_t {
 struct Burst {
   double frequency_Hz = 0;
   double duration_s = 0;
-  double amplitude = 0;  ///< of full scale, 0..1
+  double amplitude = 0;  ///< share of full scale, 0..1
   Envelope envelope = Envelope::falling;
   bool quietensSlope = false;  ///< while it sounds, grains have the level HapticProgram::slopeUnderJump
 };
@@ -143,7 +143,7 @@ struct HapticProgram {
   /// without them.
   std::uint32_t resonanceCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> resonances{};
-  double fullScale_dB = 0;  ///< of a sine of full scale at 250 Hz, above threshold
+  double fullScale_dB = 0;  ///< felt level of a sine of full scale at 250 Hz, above threshold
 
   double limiterCeiling = 1;  ///< (0, 1]
   double limiterRelease_s = 0.05;
@@ -160,7 +160,7 @@ struct HapticProgram {
       0.02;  ///< after a sensor gap, events are spread over at most this time before a reading
   double burstSpacing_s = 0.005;  ///< a jump or bottom-out starts at least this much after the one before it
   double stealFade_s = 0.001;     ///< fade-out of a stolen voice
-  double gain = 1;                ///< of the device profile, before the limiter
+  double gain = 1;                ///< gain of the device profile, before the limiter
 };
 
 /// Strongest force of any press stroke; 0 for an empty program.

@@ -18,7 +18,7 @@ struct SpeedProgram {
 };
 
 struct LiveProgram {
-  HapticProgram program;             ///< of the graph in front, by which speeds are measured
+  HapticProgram program;             ///< program of the graph in front, by which speeds are measured
   std::vector<SpeedProgram> speeds;  ///< by rising speed; empty: `program` plays at any speed
 
   LiveProgram(const HapticProgram& only) : program(only) {}  // NOLINT(google-explicit-constructor)

@@ -62,7 +62,7 @@ struct LiveSession::State {
   std::atomic<double> sampleRate_Hz;  // the engine's rate, for other threads
   StreamClock clock;
   double lastInput_frames = 0;
-  double entry_s = 0;  // of the running callback
+  double entry_s = 0;  // entry time of the running callback
   std::int64_t lastStatusFrame = 0;
   bool placeUnknown = false;  // the device was absent, so the finger's movement is unknown
   SessionStatus status;

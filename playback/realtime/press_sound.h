@@ -15,7 +15,7 @@ namespace detent::playback {
 struct PressSound {
   bool rendered = false;         ///< the vibration's samples
   std::vector<float> samples;    ///< if not `rendered`, a recording with full scale 1; empty: no sound
-  double sampleRate_Hz = 48000;  ///< of the recording
+  double sampleRate_Hz = 48000;  ///< sample rate of the recording
   double level_dB = 0;           ///< gain of the sound
   double delay_s = 0;            ///< delay after the click, or of the vibration; >= 0
 

@@ -14,8 +14,9 @@ constexpr double fewestTurns = 2.5;   // half swings within the window: 6 Hz and
 constexpr double surestTurns = 8;     // more do not make a drift more certain
 constexpr double mostHum_N = 0.04;    // range: hum of 12 mN with its harmonics, or a steadied sensor
 constexpr double mostOfForce = 0.08;  // additional range for a tremor of 4 % of the force
-constexpr double beyond = 0.5;        // of the range, outside of it: from there on the finger moves
-constexpr double remembered_s = 2;    // a swing that was not observed for longer is forgotten
+// share of the range by which a reading must leave it before the finger counts as moving
+constexpr double beyond = 0.5;
+constexpr double remembered_s = 2;  // a swing that was not observed for longer is forgotten
 
 }  // namespace
 

@@ -25,11 +25,12 @@ struct SensorCalibration {
   double fullScale_counts = 1023;  ///< largest reading of the converter; > 0
   std::size_t coefficientCount = 2;
   std::array<double, maxCoefficients> coefficients{0, 1, 0, 0};
-  std::array<double, maxCoefficients> standardErrors{};  ///< of the coefficients; 0 where unknown
-  double noise_N = 0;                                    ///< SD of the readings at rest; 0: not measured
-  double residual_N = 0;                                 ///< SD of the weights around the curve
-  double lowest_N = 0, highest_N = 12;                   ///< range covered by the weights
-  std::size_t weights = 0;  ///< how many readings it came from; 0: never calibrated
+  /// standard errors of the coefficients; 0 if unknown
+  std::array<double, maxCoefficients> standardErrors{};
+  double noise_N = 0;                   ///< SD of the readings at rest; 0: not measured
+  double residual_N = 0;                ///< SD of the weights around the curve
+  double lowest_N = 0, highest_N = 12;  ///< range covered by the weights
+  std::size_t weights = 0;              ///< how many readings it came from; 0: never calibrated
 
   /// SD of the readings for a still finger: measured, or at worst the scatter of the weights; 0: unknown.
   double knownNoise_N() const { return noise_N > 0 ? noise_N : residual_N; }

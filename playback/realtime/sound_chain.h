@@ -59,7 +59,7 @@ class SoundChain {
   double underJump_ = 1, slopeLevel_ = 1,
          slopeStep_ = 1;  // level of the grains while a jump sounds: now, and change per sample
   double gain_ = 1;
-  double raise_ = 1;       // by gain and equalizer
+  double raise_ = 1;       // factor by gain and equalizer
   double grainShare_ = 1;  // share of a grain's amplitude after the low-pass
 };
 

@@ -10,9 +10,9 @@ namespace {
 // Marks as shares of the travel. From the first to the second mark a press is timed from its first touch;
 // after that from the second mark, as in rendering, because a press begins slowly.
 constexpr double touchShare = 0.02, fromShare = 0.1, toShare = 0.9;
-constexpr double timedFrom = 0.03;        // of the distance from 10 to 90 %: enough to show a speed
-constexpr double settledAt = 0.5;         // share of the travel, if there is no jump before
-constexpr double fastest_mm_per_s = 1e6;  // for a reading that covers the whole distance
+constexpr double timedFrom = 0.03;  // share of the distance from 10 to 90 % that is enough to show a speed
+constexpr double settledAt = 0.5;   // share of the travel, if there is no jump before
+constexpr double fastest_mm_per_s = 1e6;  // limit for a single reading that covers the whole distance
 
 double strongestUpTo(const StrokeTable& press, double at_mm) {
   double strongest = press.pointCount > 0 ? press.points[0].force_N : 0;
@@ -48,7 +48,7 @@ PressMarks forceMarks(const StateProgram& state) {
   PressMarks marks{touchShare * strongest_N, fromShare * strongest_N,
                    strongestUpTo(state.press, state.start_mm + settledAt * travel_mm)};
   if (marks.to <= 0) marks.to = toShare * strongest_N;  // there is no force in the first half
-  marks.from = std::fmin(marks.from, marks.to / 2);     // for a bottom-out that dwarfs all other forces
+  marks.from = std::fmin(marks.from, marks.to / 2);     // applies if a bottom-out dwarfs all other forces
   marks.touch = std::fmin(marks.touch, marks.from / 2);
   marks.way_mm = strongest_N > 0 ? travel_mm * (marks.to - marks.from) / strongest_N : 0;
   return marks;

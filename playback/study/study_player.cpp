@@ -333,7 +333,7 @@ class Player final : public StudyPlayer {
   std::vector<ForceStep> steps_;
   bool unrendered_ = false;  ///< the link has become too slow for the present button
   StudyPlayerSettings settings_;
-  std::optional<TimingTask> timed_;  ///< of a timing study
+  std::optional<TimingTask> timed_;  ///< task of a timing study
   std::vector<Slot> slots_;
   std::optional<std::size_t> underFinger_;
   std::uint64_t losses_ = 0, reconnects_ = 0, playedInputs_ = 0, forceReconnects_ = 0;

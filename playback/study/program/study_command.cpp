@@ -439,7 +439,7 @@ Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   Result<Study> study = openStudy(folder);
   if (!study) return study.failure();
   if (!asksForX(study->design.kind))
-    return std::vector<ForetoldPair>{};  // the forecast predicts which buttons are confused
+    return std::vector<ForetoldPair>{};  // no forecast for tasks that do not ask which button X is
   return foretold(*study);
 }
 

@@ -19,7 +19,7 @@ struct Preference {
 struct PreferenceScores {
   /// Log odds; the mean of all is 0. The odds that i is preferred to k are exp(score[i] - score[k]).
   std::vector<double> scores;
-  std::vector<Interval> intervals;  ///< of each score
+  std::vector<Interval> intervals;  ///< interval of each score
   /// the intervals treat persons, not trials, as independent: for six people and more
   bool personsCounted = false;
 };

@@ -15,7 +15,7 @@ using FigureCell = std::variant<std::monostate, std::string, double>;
 struct FigureColumn {
   std::string key;          ///< "threshold", "low_percent": unit in the name; for JSON and CSV
   std::string heading;      ///< "threshold, %"; for people
-  int decimals = 0;         ///< of numbers shown to people; files contain all digits
+  int decimals = 0;         ///< decimals of numbers shown to people; files contain all digits
   std::string description;  ///< one clause
 };
 

@@ -155,7 +155,8 @@ class Replay {
     s.device = json.at("device");
     s.simulation = json.at("simulation");
     s.utc_s = json.at("utc_s");
-    s.noiseLevel = json.value("noise_level", 0.0);  // journals of versions that did not make it have none
+    // absent in journals of versions that made no masking noise
+    s.noiseLevel = json.value("noise_level", 0.0);
     if (const std::size_t cut = json.at("cut_bytes"); cut > 0)
       note("half a line (" + std::to_string(cut) + " bytes) was cut off: what it held was never confirmed");
     if (!record_.sessions.empty()) placeAfterPause(s);

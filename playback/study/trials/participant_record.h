@@ -81,10 +81,10 @@ struct Answer {
   std::vector<double>
       presses_s{};  ///< timing: after the cue, the window's beginning, or the run's first press; increasing
   double pressWithin_s = 0;          ///< timing: largest lateness of the report of a press
-  std::vector<std::size_t> replays;  ///< of each choice
+  std::vector<std::size_t> replays;  ///< number of replays of each choice
   std::size_t replaysX = 0;
-  std::vector<Felt> felt;   ///< of each choice
-  Felt feltX;               ///< empty if X is a real switch
+  std::vector<Felt> felt;   ///< movements with each choice
+  Felt feltX;               ///< movements with X; empty if X is a real switch
   double onset_s = 0;       ///< from the start of this session to the start of the trial
   double firstPress_s = 0;  ///< from the start of the trial to the first press of any stimulus
   double answer_s = 0;      ///< from the start of the trial to the answer
@@ -112,7 +112,7 @@ struct ParticipantRecord {
   std::vector<Trial> plan;
   std::vector<SessionStart> sessions;
   std::vector<RecordedAnswer> answers;  ///< answers[i] belongs to plan[i]
-  std::size_t interruptions = 0;        ///< of the next trial
+  std::size_t interruptions = 0;        ///< interruptions of the next trial so far
   bool endedEarly = false;
   std::string endReason;
   std::vector<std::string> notes;  ///< remarks for a reader: truncated lines, clocks that disagree

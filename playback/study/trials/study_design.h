@@ -79,7 +79,7 @@ enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
 /// The sound that accompanies each press, on an audio channel of its own (press_sound.h).
 struct StudySound {
   std::string source;  ///< "rendered", or a sound file (in the study's folder); empty: no sound
-  std::string sha256;  ///< of the file
+  std::string sha256;  ///< hash of the sound file
   double level_dB = 0, delay_ms = 0;
 };
 inline constexpr double softestSound_dB = -60, loudestSound_dB = 20, longestSoundDelay_ms = 500;
@@ -146,7 +146,7 @@ struct StudyLevel {
 struct Study {
   std::filesystem::path folder;
   std::string name;     ///< name of the folder
-  std::string sha256;   ///< of study.json
+  std::string sha256;   ///< hash of study.json
   std::string program;  ///< version that made it
   int version = 0;      ///< version of study.json's format; lists of trials depend on it
   StudyDesign design;

@@ -117,7 +117,7 @@ std::string table2Html(const StudyResults& results, const GroupResult& group) {
 
 constexpr double barsWidth = 430, barHeight = 14, barStep = 24;
 constexpr double letterWidth = 7.5, besideBars = 16;  // for the chart's 12 px letters
-constexpr std::size_t barLabelBytes = 16;             // of one of the two
+constexpr std::size_t barLabelBytes = 16;             // most bytes of one of a pair's two labels
 
 /// End of the scale with room for the longest interval: 5, 10, 20, 50 or 100 %.
 double scaleEnd(const GroupResult& group) {

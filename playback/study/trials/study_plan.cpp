@@ -162,7 +162,7 @@ DrawDifference normalAround(double standardDeviations) {
   };
 }
 
-/// Two buttons on a rating scale, or two thresholds.
+/// Power for comparing two buttons on a rating scale, or two thresholds.
 FigureTable twoMeans(const std::string& title, const std::string& unit, const std::vector<double>& values,
                      const std::function<double(double)>& inDeviations, const std::string& assumed,
                      std::size_t comparisons) {

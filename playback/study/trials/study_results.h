@@ -58,7 +58,7 @@ DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 /// Sensitivity of all participants together, d' by both strategies.
 struct Sensitivity {
   double differencing = 0, independent = 0;
-  double low = 0, lowIndependent = 0;  ///< from the lower limit (97.5 %) of the share correct
+  double low = 0, lowIndependent = 0;  ///< d' from the lower limit (97.5 %) of the share correct
   /// True if there was no error. `differencing` and `independent` then assume half an error (Macmillan &
   /// Kaplan, Psychological Bulletin 1985).
   bool noError = false;
@@ -113,8 +113,8 @@ struct GroupComparison {
   std::optional<std::size_t> pair;  ///< index into pairsOf(); none: all trials
   /// by flipping signs of persons; otherwise by permuting participants between the groups
   bool paired = false;
-  std::size_t participants = 0;      ///< paired: people in both; otherwise in either
-  double difference = 0;             ///< of the error rates, first minus second; paired: mean over persons
+  std::size_t participants = 0;  ///< paired: people in both; otherwise in either
+  double difference = 0;  ///< difference of the error rates, first minus second; paired: mean over persons
   std::optional<Interval> interval;  ///< paired: 95 % of the mean
   double p = 1;
   double adjusted = 1;  ///< Holm: over all conditions, or over all pairs and conditions
@@ -124,7 +124,7 @@ struct StudyResults {
   std::string study;
   std::string source;  ///< of printed counts: their source
   StudyKind kind = StudyKind::abx;
-  StudySound sound;                          ///< of presses
+  StudySound sound;                          ///< the sound of presses in the study
   std::string feel;                          ///< "clear", "paper"; empty: unknown for printed counts
   std::vector<std::string> labels, names;    ///< of the buttons
   std::vector<TrialRow> rows;                ///< of all participants

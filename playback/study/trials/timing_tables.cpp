@@ -19,7 +19,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t mostBytes = 64 << 20;
-constexpr double longest_s = 60;  ///< of intervals and windows, and of a press from its cue
+constexpr double longest_s = 60;  ///< longest interval, window, and time from a cue to the press
 constexpr double timingPercent = 100;
 constexpr std::array<std::string_view, 3> emptyPressWords{"", "NA",
                                                           "null"};  // the names that R and jsPsych use

@@ -33,8 +33,9 @@ struct PlanCell {
   std::size_t side() const { return swapped == secondIsX ? 0 : 1; }
 };
 
-/// Every cell a quarter of the time. Of the remaining trials, one is random; two differ in both, with X on
-/// the side that `toTheRight` states; three are three of the four.
+/// Uses the four arrangements equally often. If one trial remains, its arrangement is random; if three
+/// remain, they are different. Two remaining trials have another alpha and another X each, with X on the side
+/// that `toTheRight` states.
 std::vector<PlanCell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
   constexpr std::array<PlanCell, 4> all{
       {{false, false}, {true, true}, {false, true}, {true, false}}};  // X on the left, left, right, right
