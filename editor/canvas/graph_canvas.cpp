@@ -269,7 +269,7 @@ void GraphCanvas::drawContent(QPainter& painter, const PlotMapping& map) const {
   if (feedback_.refused) paintRefusalReason(painter, map, scene());
 }
 
-// In the corner farthest from the dragged point, so that the magnifier never hides it.
+// The magnifier is drawn in the corner farthest from the dragged point, so that it never hides the point.
 void GraphCanvas::drawMagnifier(QPainter& painter, const PlotMapping& map) const {
   const QPointF at_px = map.toPixel(feedback_.dragged->displacement_mm, feedback_.dragged->force_N);
   const double size = std::min({lens_px, 0.45 * map.clip_px.width(), 0.6 * map.clip_px.height()});

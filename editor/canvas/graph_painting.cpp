@@ -145,7 +145,7 @@ void paintOtherSpeeds(QPainter& painter, const PlotMapping& map, const GraphScen
 // Places each label at the displacement at which its press is farthest from the edited one.
 void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   constexpr int samples = 64;
-  constexpr double beforeBottomOut = 0.9;  // of the travel
+  constexpr double beforeBottomOut = 0.9;  // share of the travel
   const StrokeCurve& front = scene.state.graph.press();
   for (const SpeedGraph& other : scene.state.otherSpeeds) {
     const StrokeCurve& press = other.graph.press();
@@ -160,7 +160,7 @@ void paintSpeedLabels(QPainter& painter, const PlotMapping& map, const GraphScen
   }
 }
 
-// Behind the curves, as wide as the units scatter on each side.
+// Draws the scatter of the units as a band behind the curves: one standard deviation on each side.
 void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const auto band = [&](const ToleranceBand& points, const QColor& color) {
     QPolygonF outline;
@@ -182,7 +182,7 @@ void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& s
   });
 }
 
-// In the selection colour, because the preview belongs to neither stroke yet.
+// Draws the preview in the selection colour, because it belongs to neither stroke yet.
 void paintPreview(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   drawStrokes(painter, map, scene.preview->graph, [&](Stroke stroke) {
     return QPen(scene.colors.selection, stroke == Stroke::press ? 2 : 1.5, Qt::DashLine);
@@ -328,7 +328,7 @@ void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const
 constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
 // distance of a tactile point's force label from the point
 constexpr double tagAway_px = 20;
-constexpr double bubbleAway_px = 38;  // of a label with two or three lines
+constexpr double bubbleAway_px = 38;  // distance of a label with two or three lines
 constexpr double measureGap_px = 8;   // distance between a measured line and its label
 
 /// Points on both strokes, close enough to tell whether a label covers them.
@@ -603,7 +603,8 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
     tags.put({contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
              (contact.operating() ? tr("operating %1") : tr("reset %1")).arg(shortPlace(contact.at, scene)),
              contact.color, markOf(contact));
-  constexpr double preTravel_px = 52, differential_px = 74;  // above the labels of the contacts
+  // heights of the dimension lines, above the labels of the contacts
+  constexpr double preTravel_px = 52, differential_px = 74;
   if (!scene.handlesShown) return;
   for (const Contact& contact : contacts) {
     if (contact.operating())
@@ -764,7 +765,7 @@ void paintMeasurement(QPainter& painter, const PlotMapping& map, const GraphScen
       QStringLiteral("\u0394 ") + quantityWithUnit(up_N, Quantity::force, scene.units, shownDigits)};
   if (along_mm != 0)
     lines << tr("slope %1").arg(quantityWithUnit(up_N / along_mm, Quantity::slope, scene.units, shownDigits));
-  // In the corner of the triangle across its right angle, where neither end is covered.
+  // The numbers are drawn in the corner of the triangle across its right angle, where they cover neither end.
   const QRectF box = tagBox(painter, a, lines.join(u'\n'), map.clip_px);
   const QPointF aside((b.x() < a.x() ? 1 : -1) * (box.width() / 2 + measureGap_px),
                       (b.y() < a.y() ? -1 : 1) * (box.height() / 2 + measureGap_px));

@@ -40,7 +40,7 @@ struct GraphScene {
   const CanvasFeedback& feedback;
   std::span<const MarkId> selection;  ///< the last one has handles
   std::optional<FingerPosition> finger;
-  const ButtonState* otherState = nullptr;  ///< of a self-locking button: drawn faintly
+  const ButtonState* otherState = nullptr;  ///< the other state of a self-locking button, drawn faintly
   /// traced points, to which residuals are drawn; empty: none
   std::span<const CurvePoint> tracedPress, tracedRelease;
   bool handlesShown = true;  ///< knots and handles; off in exported pictures

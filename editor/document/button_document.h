@@ -84,11 +84,11 @@ class ButtonDocument : public QObject {
   /// The button or its preview changed.
   void changed();
   void activeStateChanged();
-  void originChanged();  ///< origin or sheet
+  void originChanged();  ///< The origin or the sheet changed.
   void cutoutChanged();
   void annotationsChanged();
   void originWanted();  ///< emitted by wantOrigin if the origin must be read
-  /// Path, name or unsaved mark.
+  /// The path, the name or the unsaved mark changed.
   void titleChanged();
 
  private:

@@ -24,7 +24,8 @@ class EditHistory : public QObject {
   const Button& button() const { return preview_ ? *preview_ : committed_; }
   const Button& committed() const { return committed_; }
 
-  /// Changes an edit before it is shown or stored, or refuses it (model/links.h). From the committed button.
+  /// Changes an edit before it is shown or stored, or refuses it (model/links.h). `before`: the committed
+  /// button.
   using Rule = std::function<Result<Button>(const Button& before, const Button& next)>;
   void setRule(Rule rule) { rule_ = std::move(rule); }
   /// Returns `next` with the rule applied to it, as apply and preview do.

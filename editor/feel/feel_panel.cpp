@@ -32,7 +32,8 @@ namespace {
 constexpr double stripTail_s = 0.3;  // the strip continues this long after a press
 constexpr double wideRatio = 1.35;   // wider than this, the parts stand side by side
 constexpr int leastControls_px = 120;
-constexpr double comparableDurations = 4;  // of two signals whose times are drawn to one scale
+// largest ratio of two signals' durations that are drawn to one scale
+constexpr double comparableDurations = 4;
 constexpr int longestNote = 200;
 constexpr int leastOfTwoViews_px = 140;  // a low dock has room for two views
 constexpr FeelSide sides[] = {FeelSide::a, FeelSide::b};

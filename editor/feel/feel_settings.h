@@ -15,11 +15,12 @@ namespace detent::editor {
 struct ForceChoices {
   QString
       device;  ///< as playback::forceDeviceFrom names it: "sim:falcon", "serial:/dev/ttyACM0"; empty: none
-  double largest_N = 0;   ///< 0: the device's own limit
-  double step_mm = 0;     ///< encoder step at the finger; 0: the device's own
-  double mmPerTurn = 60;  ///< of an ODrive; negative where the motor is mounted the other way
-  QString firmwareFile;   ///< firmware file of a Falcon; empty: it has received one since it was switched on
-  bool upload = false;    ///< of a serial device: it runs the law at its own rate
+  double largest_N = 0;  ///< 0: the device's own limit
+  double step_mm = 0;    ///< encoder step at the finger; 0: the device's own
+  /// travel per turn of an ODrive, mm; negative if the motor is mounted the other way
+  double mmPerTurn = 60;
+  QString firmwareFile;  ///< firmware file of a Falcon; empty: it has received one since it was switched on
+  bool upload = false;   ///< true: a serial device runs the law itself, at its own rate
   bool holds =
       false;  ///< the simulated finger rests in the middle of the travel; else it presses again and again
   /// the passivity controller adds damping if the button would give more energy than it took

@@ -13,7 +13,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int rowHeight_px = 19;
-constexpr double name_px = 62, barShare = 0.3;  // of what is left of the width
+constexpr double name_px = 62, barShare = 0.3;  // width of the names; share of the remaining width
 constexpr double punctualShare = 0.999;         // below it the deadline bar warns
 constexpr double noBalance_mJ = -1e-3;          // smaller imbalances are rounding
 

@@ -13,8 +13,9 @@ class LevelMeter : public QWidget {
 
  public:
   static constexpr double lowest_dB = -60;
-  static constexpr double hold_s = 1.5;        ///< duration for which a peak is shown
-  static constexpr double fall_dB_per_s = 40;  ///< of the bar, and of the peak after its hold
+  static constexpr double hold_s = 1.5;  ///< duration for which a peak is shown
+  /// speed with which the bar falls, and the peak after its hold
+  static constexpr double fall_dB_per_s = 40;
   /// share of the ceiling from which the limiter counts as active
   static constexpr double limiting = 0.985;
 

@@ -17,7 +17,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double gainStepsPer_dB = 2;  // of the slider
+constexpr double gainStepsPer_dB = 2;  // steps of the slider per dB
 constexpr double figuresEvery_s = 0.25;
 constexpr int mostStatusLines = 4;
 

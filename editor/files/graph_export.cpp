@@ -80,7 +80,8 @@ DrawnTexts textsOf(const QByteArray& svg) {
     text.anchor = given.value("text-anchor").toString();
     if (given.hasAttribute("font-size")) text.size_px = given.value("font-size").toDouble();
     text.bold = given.value("font-weight") == QLatin1String("bold");
-    if (given.value("transform").startsWith(QLatin1String("rotate(")))  // about its own place
+    // the drawing rotates texts only about their own position
+    if (given.value("transform").startsWith(QLatin1String("rotate(")))
       text.turn_deg = given.value("transform").mid(7).split(u' ').front().toDouble();
     text.words = xml.readElementText();
     drawn.texts.push_back(std::move(text));
@@ -89,7 +90,7 @@ DrawnTexts textsOf(const QByteArray& svg) {
 }
 
 void paintTexts(QPainter& painter, const DrawnTexts& drawn) {
-  constexpr double finer = 100;  // fonts have whole sizes
+  constexpr double finer = 100;  // factor of enlargement, because fonts have whole sizes
   for (const DrawnText& text : drawn.texts) {
     QFont font;
     font.setFamilies(drawn.families);
@@ -165,8 +166,8 @@ void setSize(SvgPlotStyle& style, double width_mm, double height_mm) {
 }
 
 bool hasRoom(const SvgPlotStyle& style) {
-  constexpr double margins_em = 13, marginsAbove_em = 9;  // of svg_plot.cpp, with a second scale
-  constexpr double least = 0.35;                          // of the drawing, for the frame
+  constexpr double margins_em = 13, marginsAbove_em = 9;  // margins in svg_plot.cpp with a second scale
+  constexpr double least = 0.35;                          // share of the drawing for the frame
   return margins_em * style.fontSize_px < (1 - least) * style.width_px &&
          marginsAbove_em * style.fontSize_px < (1 - least) * style.height_px;
 }

@@ -191,7 +191,7 @@ void RecoveryStore::discard(const LeftImport& left) {
 void RecoveryStore::discard(const LeftBehind& left) {
   QFile::remove(left.file);
   const QString session = QFileInfo(left.file).absolutePath();
-  QDir().rmdir(session);  // the lock goes with the reservation
+  QDir().rmdir(session);  // the folder's lock is released later, with the reservation
 }
 
 }  // namespace detent::editor

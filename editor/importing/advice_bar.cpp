@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int columns = 4;  // of buttons
+constexpr int columns = 4;  // columns of buttons
 
 void removeAll(QGridLayout& buttons) {
   while (QLayoutItem* item = buttons.takeAt(0)) {

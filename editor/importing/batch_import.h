@@ -50,7 +50,7 @@ class BatchImport : public QObject {
   void take(int batch, int file, const std::vector<BatchResult>& results);
 
   QThreadPool workers_;
-  std::shared_ptr<std::atomic<bool>> cancelled_;  ///< of the batch that runs
+  std::shared_ptr<std::atomic<bool>> cancelled_;  ///< set to cancel the running batch
   int batch_ = 0, left_ = 0;
 };
 

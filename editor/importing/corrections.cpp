@@ -61,7 +61,7 @@ std::optional<AxisEnds> scaleOfAll(const std::vector<Placed>& given, const std::
   const double span = std::abs(ends->max - ends->min);
   for (const Placed& p : given)
     if (std::abs(std::lerp(ends->min, ends->max, p.share) - p.value) > agreeOfPitch * pitch * span) return {};
-  constexpr double rounding = 1e-9;  // of the span: in the frame where it was found an end is exact
+  constexpr double rounding = 1e-9;  // share of the span: in the frame where it was found an end is exact
   const auto exact = [&](double end, double asFound) {
     return std::abs(end - asFound) <= rounding * span ? asFound : end;
   };

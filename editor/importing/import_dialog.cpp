@@ -69,7 +69,7 @@ bool isGiven(RemedyKind correction, const Corrections& given) {
       return !given.drawn.press.empty();
     case RemedyKind::chooseSwitch:
       return !given.curve.empty();
-    default:  // may be given again
+    default:  // all other corrections can be given more than once
       return false;
   }
 }
@@ -314,7 +314,7 @@ void ImportDialog::Impl::build() {
   constexpr int firstSide_px = 220;
   splitter->setSizes({firstSide_px, 720, 330});
   QObject::connect(findings, &FindingsPanel::widthWanted, splitter, [this, splitter](int width_px) {
-    constexpr double leastForPage = 0.4;  // of the dialogue
+    constexpr double leastForPage = 0.4;  // share of the dialogue's width
     QList<int> sizes = splitter->sizes();
     // a hidden list is reported with size 0 and would stay collapsed
     if (!side->isVisible()) sizes[0] = firstSide_px;
@@ -678,7 +678,8 @@ void ImportDialog::dropEvent(QDropEvent* event) {
 
 void ImportDialog::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Paste)) return impl_->paste();
-  // Enter in a field only ends the typing of a value. On a button, or with Ctrl, it is passed on.
+  // Enter in a field only ends the typing of a value; on a button it presses the button. With Ctrl it
+  // imports.
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (enter && event->modifiers() & Qt::ControlModifier) return impl_->accept->click();
   if (enter && !qobject_cast<QPushButton*>(focusWidget())) return;

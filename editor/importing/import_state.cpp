@@ -95,7 +95,7 @@ namespace {
 /// where the scale has that value. Sets `place` to that position on the page.
 std::optional<double> valueBeyond(GraphAxis axis, const importer::SeenText& text,
                                   const importer::GraphEvidence& evidence, importer::Point& place) {
-  constexpr double leastShare = 1.02, mostOff = 0.015;  // of the axis' length
+  constexpr double leastShare = 1.02, mostOff = 0.015;  // shares of the axis' length
   const auto& reading =
       axis == GraphAxis::x ? evidence.axes.calibration.value.x : evidence.axes.calibration.value.y;
   const auto value = numberIn(text.utf8);
@@ -120,7 +120,7 @@ std::optional<double> valueBeyond(GraphAxis axis, const importer::SeenText& text
 }  // namespace
 
 std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence) {
-  constexpr double leastShare = 1.02;  // of the axis' length: nearer, it is the frame's own end
+  constexpr double leastShare = 1.02;  // share of the axis' length; a nearer place is the frame's own end
   const FrameCorners corners = cornersInView(evidence);
   const auto& calibration = evidence.axes.calibration.value;
   std::optional<ExtendedFrame> extended;

@@ -162,7 +162,7 @@ class ImportState : public QObject {
   void graphsChanged();
   void currentChanged();  ///< another page or graph was selected, or the page's picture arrived
   void correctionsChanged();
-  void resultChanged();  ///< of the current graph: a new answer, or work began or ended
+  void resultChanged();  ///< The current graph has a new answer, or work on it began or ended.
   void progressed(double fraction, importer::ImportStep step);
   void accepted(std::shared_ptr<const importer::ImportReport> report);
   void allAccepted();

@@ -12,7 +12,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double margin = 0.15;       // of the frame's longer side, as much as axes and titles take
+constexpr double margin = 0.15;       // share of the frame's longer side, as much as axes and titles take
 constexpr int largestSide_px = 2000;  // same as that of the import's own view
 constexpr int samplesOfCurve = 96;
 constexpr int nearCurve_px = 2,

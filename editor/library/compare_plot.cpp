@@ -12,10 +12,10 @@
 namespace detent::editor {
 namespace {
 
-constexpr double roomBeyondBottomOut = 0.03;  // of the travel
+constexpr double roomBeyondBottomOut = 0.03;  // share of the travel
 constexpr int digits = 4;
 constexpr int namesInLine = 3;
-constexpr double differenceHeight = 0.5;  // of the graphs'
+constexpr double differenceHeight = 0.5;  // share of the graphs' height
 constexpr int differenceSamples = 400;
 constexpr int mostTicks = 5, leastTicks = 2;
 constexpr double linesOfTick = 2.2;  // heights of a text line for each tick label

@@ -48,7 +48,7 @@ class PictureCache : public QObject {
                 int appearance);
 
   struct Entry {
-    QString stamp;  // of the file it was made from
+    QString stamp;  // state of the file from which it was made
     QImage image;
     QString trouble;
   };

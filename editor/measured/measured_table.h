@@ -78,7 +78,7 @@ class MeasuredTable : public QAbstractTableModel {
   QString tip(const importer::LibrarySwitch& entry, int column) const;
 
   std::shared_ptr<const MeasuredSwitches> all_;
-  std::vector<QString> searched_;  // of each
+  std::vector<QString> searched_;  // searched text of each switch
   std::vector<SwitchIndex> shown_;
   std::vector<double> distances_;  // distance of each switch, in lab noises; empty: no distances requested
   std::map<SwitchIndex, QString> forecasts_;

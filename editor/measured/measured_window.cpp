@@ -32,8 +32,8 @@ namespace {
 
 constexpr QSize first_px{1180, 760}, leastPlot_px{260, 180};
 constexpr int nameColumn_em = 20, figureColumn_em = 11, wideColumn_em = 14, headerLines = 3;
-constexpr int tableShare = 3, plotsShare = 2;  // of the width
-constexpr int mapShare = 1, overlayShare = 1;  // of the plots' height
+constexpr int tableShare = 3, plotsShare = 2;  // shares of the width
+constexpr int mapShare = 1, overlayShare = 1;  // shares of the plots' height
 constexpr int rankPause_ms = 120;              // after an edit of the reference button
 constexpr int forecastPause_ms = 400;
 constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;

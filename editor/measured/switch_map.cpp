@@ -14,7 +14,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double reach_px = 12;  // of a click around a dot
+constexpr double reach_px = 12;  // distance from a dot within which a click counts
 constexpr double dotSize_px = 5, chosenSize_px = 9;
 constexpr double margin = 1.05;  // around the outermost dots
 constexpr double percent = 100;

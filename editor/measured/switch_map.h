@@ -33,7 +33,7 @@ class SwitchMap : public QCustomPlot {
   void setUnits(const DisplayUnits& units);
   /// Sets the switches that are highlighted.
   void setChosen(std::set<SwitchIndex> chosen);
-  /// Repaints once for all changes until the window is painted.
+  /// Draws the dots again at the next repaint, once for all changes before it.
   void redraw();
   /// Position of a switch in the widget; empty if it has none or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which);

@@ -179,7 +179,7 @@ QWidget* AnnotationsPanel::linksBox() {
   column->addWidget(oneEnd_);
   auto* row = new QHBoxLayout;
   column->addWidget(releaseFollows_);
-  constexpr int indent_px = 24;  // of items below a check box
+  constexpr int indent_px = 24;  // indent of items below a check box
   row->addSpacing(indent_px);
   row->addWidget(offset_);
   row->addStretch();

@@ -16,7 +16,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int measuredRows = 200;      // of a long table; the first rows determine the column widths
+constexpr int measuredRows = 200;      // rows of a long table that determine the column widths
 constexpr int leastNumber = 6;         // characters of a column of numbers
 constexpr int cellTextMargin_px = 12;  // of a cell
 

@@ -247,7 +247,8 @@ QString StudyWindow::howWords() const {
 
 /// Text about stimuli that were not pressed completely yet, or were released too early.
 QString StudyWindow::unfeltWords() const {
-  if (controller_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
+  // the question of a scale has only this stimulus
+  if (controller_->slotOfX() == 1) return words("First press it to the end and let go.");
   QStringList missing;
   for (std::size_t slot = 0; slot <= controller_->slotOfX(); ++slot) {
     const bool isX = slot == controller_->slotOfX();

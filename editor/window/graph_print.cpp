@@ -18,7 +18,7 @@ namespace detent::editor {
 namespace {
 
 constexpr double lineHeight_mm = 5.5, gap_mm = 5;
-constexpr double mostForGraph = 0.62;  // of the page's height; the figures have the rest
+constexpr double mostForGraph = 0.62;  // share of the page's height; the figures have the rest
 constexpr double lineSize_pt = 9;
 
 struct PageWords {

@@ -236,7 +236,8 @@ void MagneticDialog::drawCurves(const std::vector<KeyEvent>& events) {
   plot_->yAxis->setRangeLower(std::min(0.0, plot_->yAxis->range().lower));
 }
 
-// Down to the right and down the page: rest, press, lift, second press, release.
+// Draws the displacement (to the right) along the travelled path (downwards): rest, press, lift, second
+// press, release.
 void MagneticDialog::drawMovement(const std::vector<KeyEvent>& events) {
   const GraphColors colors = graphColors(isDark(plot_->palette()));
   QCPAxis *x = movement_->axis(QCPAxis::atBottom), *y = movement_->axis(QCPAxis::atLeft);

@@ -54,7 +54,7 @@ constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 5;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
 constexpr int firstLibrary_px = 230, firstInspector_px = 310;
-constexpr double mostForInspector = 0.42, mostForFeel = 0.6;  // of the window
+constexpr double mostForInspector = 0.42, mostForFeel = 0.6;  // shares of the window
 constexpr int leastForLibrary_px = 1600;  // width of the window from which the library is shown at first
 constexpr QSize copiedPicture_px{1800, 1200};
 
@@ -62,7 +62,7 @@ struct AverageWords {
   Q_DECLARE_TR_FUNCTIONS(AverageWords)
 };
 
-// As far as the second digit of what scatters.
+// Number of digits of a mean, down to the second digit of its standard deviation.
 int digitsBeside(double mean, double sd) {
   if (sd <= 0 || mean == 0) return 4;
   return std::clamp(static_cast<int>(std::floor(std::log10(std::abs(mean))) - std::floor(std::log10(sd))) + 2,

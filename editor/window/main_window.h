@@ -76,7 +76,7 @@ class MainWindow : public QMainWindow {
   void openAverage(const UnitSpread& spread, const QStringList& titles);
   void showForecasts();
   void showStudy();
-  /// Thousands of measured switches; made when it is first needed.
+  /// Shows the window of measured switches, which is made at its first use.
   MeasuredWindow& showMeasured();
 
  protected:
@@ -186,11 +186,11 @@ class MainWindow : public QMainWindow {
   QAction *showEdit_ = nullptr, *showCompare_ = nullptr, *showFeel_ = nullptr;
   bool docksAway_ = false;
   QList<QDockWidget*> awayDocks_;    // docks that are shown again when the user returns to Edit
-  QPointer<QDockWidget> frontDock_;  // of docks that share a place
-  QByteArray firstState_;            // of the docks, before any was moved
-  bool docksAreNew_ = false;         // nothing was kept of how they were arranged
+  QPointer<QDockWidget> frontDock_;  // the visible one of docks that share a place
+  QByteArray firstState_;            // arrangement of the docks before any was moved
+  bool docksAreNew_ = false;         // true: no arrangement of the docks was stored
   int inspector_px_ = 0;             // width of the docks at the right; 0: not known yet
-  QComboBox* other_ = nullptr;       // which button is B of the feel panel
+  QComboBox* other_ = nullptr;       // chooses the button that is B of the feel panel
   QPointer<MarginOverlay> margin_;
   QPointer<ButtonDocument> otherDocument_;
   QPointer<ButtonDocument> shown_, shownBefore_;

@@ -15,7 +15,7 @@ namespace detent::editor {
 namespace {
 
 constexpr double band_px = 11, hatch_px = 5;
-constexpr double nearShare = 0.5;    // of the allowed slope: from here on the margin is called small
+constexpr double nearShare = 0.5;    // share of the allowed slope from which the margin is called small
 constexpr std::size_t mostTags = 3;  // more would hide the graph
 constexpr double tagAbove_px = 22;
 
