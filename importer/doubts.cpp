@@ -167,7 +167,7 @@ bool stepsOverAndBack(const StrokePair& strokes) {
 /// every second column.
 bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
   constexpr double farShare = 0.04, nearlyAll = 0.9;  // share of the frame's width; share of the columns
-  constexpr double apart_px = 3;                      // from a line of the plot
+  constexpr double apart_px = 3;                      // distance from a line of the plot
   const Box box = frame.box();
   const auto isLine = [&](int y) {
     return std::ranges::any_of(
@@ -662,7 +662,7 @@ class Doubts {
     constexpr double mostPatches =
         0.1;  // share of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
     if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
-    // of the travel of a curve that was traced alone; a dotted line has half
+    // share of the travel of a curve that was traced alone; a dotted line has half
     constexpr double mostBeside = 0.4;
     if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::curveLeftOver, unconfirmed);
     if (const auto jump = std::ranges::find_if(jumps, ofAStroke); jump != jumps.end())

@@ -74,8 +74,8 @@ std::size_t firstBottomOutChord(const std::vector<Chord>& chords, const SectionS
   const double endForce = chords.back().toForce_N;
   const std::vector<double> ranges = rangesBefore(chords);
   std::size_t first = chords.size();
-  double leastSlope =
-      infinity;  // of the chords from i on, without the last percent of travel, where meters round off
+  // least slope of the chords from i on, without the last percent of travel, where meters round off
+  double leastSlope = infinity;
   for (std::size_t i = chords.size(); i-- > 0;) {
     const Chord& chord = chords[i];
     if (chord.slope() <= 0 || chord.from_mm - start < 0.5 * travel) break;

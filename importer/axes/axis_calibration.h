@@ -16,7 +16,7 @@ namespace detent::importer {
 
 /// A tick with the number read at it.
 struct TickLabel {
-  double position_px = 0;  ///< of the tick or gridline, along the axis
+  double position_px = 0;  ///< position of the tick or gridline along the axis
   double value = 0;        ///< in the axis' printed unit
   std::string text;        ///< as read
   Box box;                 ///< view pixels

@@ -11,7 +11,7 @@ namespace detent::importer {
 namespace {
 
 constexpr int finer = 3;          // factor by which pixels are subdivided for the comparison
-constexpr double blur_px = 0.45;  // of the page's own pixels: their size and the blur of scaling
+constexpr double blur_px = 0.45;  // blur in the page's own pixels, by their size and by scaling
 constexpr int room_px = 3;        // margin around a word for trying positions
 // shares of a digit's height, for descenders such as g, and for brackets
 constexpr double below = 0.3, above = 0.15;

@@ -14,8 +14,8 @@ namespace detent::importer {
 
 /// Style of drawn text. All labels of an axis share one style.
 struct Hand {
-  int font = 0;           ///< of OpenCV's Hershey fonts
-  double height_px = 0;   ///< of a digit, > 0
+  int font = 0;           ///< number of one of OpenCV's Hershey fonts
+  double height_px = 0;   ///< height of a digit, > 0
   double advance_px = 0;  ///< distance from digit to digit, > 0
 };
 

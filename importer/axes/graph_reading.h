@@ -18,9 +18,9 @@ class GraphReading {
 
   const PageView& view;
   const PlotFrame& frame;
-  Box box;           ///< of the frame
+  Box box;           ///< box of the frame
   cv::Mat darkness;  ///< of the view
-  cv::Mat darkMask;  ///< of the view, frame and ticks included: 255, else 0
+  cv::Mat darkMask;  ///< dark pixels of the view, frame and ticks included: 255, else 0
   std::vector<Box>
       glyphs;  ///< blobs outside the frame, up to the size of large letters; ticks are no part of them
   TextReader reader;

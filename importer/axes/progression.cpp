@@ -36,7 +36,7 @@ double exactStep(const std::vector<double>& values) {
 /// program that divides an axis evenly prints 0.2137, 0.4273, 0.6410. 0 if there is no such step.
 double roundedStep(std::vector<double> values) {
   constexpr std::size_t fewest = 5;
-  // of a step, in units of the last digit: with smaller steps many values fit by chance
+  // least step, in units of the last digit: smaller steps fit many values by chance
   constexpr double leastDigits = 10;
   if (values.size() < fewest) return 0;
   const double lastDigit = lastDigitOf(values);
@@ -74,7 +74,7 @@ struct Trial {
 };
 
 struct Places {
-  std::vector<double> at;  ///< of the label: its tick or its centre
+  std::vector<double> at;  ///< position of each label: of its tick, or its centre
   std::vector<bool> hasTick;
   double agree = agree_px;  ///< tolerance of a label's tick against the progression
 };

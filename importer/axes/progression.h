@@ -21,8 +21,9 @@ struct LabelPlace {
 /// value = offset + perPx * position.
 struct Progression {
   double offset = 0, perPx = 0;
-  double step = 0;     ///< common step of the labels' values, > 0
-  double substep = 0;  ///< of the gridlines and ticks between labels: `step` divided by 1, 2, 4, 5 or 10
+  double step = 0;  ///< common step of the labels' values, > 0
+  /// step of the gridlines and ticks between labels: `step` divided by 1, 2, 4, 5 or 10
+  double substep = 0;
   std::vector<int> reading;    ///< per label: which reading agreed, -1: none
   std::vector<double> tickOf;  ///< per label: place of its tick; its own centre where there is none
   int labels = 0;              ///< that agreed

@@ -80,7 +80,7 @@ struct Inked {
 /// of the letters.
 bool isSample(const Box& mark, const Box& letter, double usual_px, const Inked& on) {
   constexpr double dashHeight = 0.4, longDash = 1.8, anyDash = 0.9, wideDash = 0.6,
-                   highest = 3.2;         // of a letter's height
+                   highest = 3.2;         // factor of a letter's height
   constexpr double differentColour = 60;  // colour levels
   constexpr double filled = 0.7;          // share of its box
   const bool dash = mark.height() < dashHeight * usual_px;
@@ -228,7 +228,7 @@ void keepAlike(std::vector<SeenText>& lines, const std::vector<SeenText>& doubte
 /// word to the texts.
 void addHeadingBeside(AxesFound& axes, const Box& frame, const cv::Mat& marks, double largest_px,
                       TextReader& reader) {
-  // of the plot's height, beyond its last number; of the plot's width
+  // share of the plot's height, beyond its last number; share of the plot's width
   constexpr double above = 0.6, beside = 1.6;
   const Box headings{frame.x0, frame.y0 - above * frame.height(), frame.x1 + beside * frame.width(),
                      frame.y0};

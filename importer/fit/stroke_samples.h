@@ -19,7 +19,7 @@ struct SigmaPoint {
 /// Points of a stroke and the conversion back to mm and N.
 struct StrokeSamples {
   std::vector<SigmaPoint> points;  ///< >= 2, by increasing displacement; neighbours differ
-  CurvePoint origin;               ///< of u and v
+  CurvePoint origin;               ///< origin of u and v, in mm and N
   double mmPerU = 1, newtonsPerV = 1;
 
   double u(double displacement_mm) const { return (displacement_mm - origin.displacement_mm) / mmPerU; }

@@ -22,7 +22,7 @@ struct Overview {
   cv::Mat darkness;
   double shrink = 1;       ///< overview pixels per pixel of this plane
   Homography levelToPage;  ///< the plane shows the levelled page
-  Point origin;            ///< of the levelled page, in this plane's pixels
+  Point origin;            ///< origin of the levelled page, in this plane's pixels
 
   /// The box on the levelled page.
   Box onLevel(const Box& b, const Affine& overviewToPage) const {

@@ -58,7 +58,7 @@ struct ListedRecord {
 /// Result of reading a log.
 struct LogReading {
   Result<ForceLog> log;
-  std::vector<ListedRecord> records;               ///< of the best interpretation
+  std::vector<ListedRecord> records;               ///< records of the best interpretation
   std::vector<ExplainedInterpretation> best = {};  ///< at most three
   std::optional<Question> question =
       {};  ///< only if `log` is a Failure notCertain; its choices have not been tried

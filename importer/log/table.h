@@ -54,7 +54,7 @@ class Table {
   Table transposed() const;
 
   NumberStyle style;
-  std::string name;  ///< of the sheet; empty for a text file
+  std::string name;  ///< name of the sheet; empty for a text file
 
  private:
   std::shared_ptr<std::deque<std::string>> text_ = std::make_shared<std::deque<std::string>>();

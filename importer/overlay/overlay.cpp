@@ -86,7 +86,7 @@ class Canvas {
 
   double scale_;
   Mirrored mirrored_;
-  Point last_px_;  // of the view
+  Point last_px_;  // last point, in view pixels
   cv::Mat picture_;
 };
 

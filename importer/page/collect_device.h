@@ -21,7 +21,7 @@ struct ImagePlacement {
 struct CollectedPage {
   std::vector<VectorPath> paths;
   std::vector<ImagePlacement> images;
-  Visibility visibility;  ///< of its letters
+  Visibility visibility;  ///< visibility of its letters
 };
 
 enum class CollectStop {

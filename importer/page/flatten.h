@@ -35,7 +35,7 @@ class PathFlattener {
   Affine transform_;
   double tolerance_;
   Box within_;
-  Point start_, last_;  ///< of the current subpath, as drawn
+  Point start_, last_;  ///< first and last point of the current subpath, as drawn
   std::vector<Point> current_;
   std::vector<std::vector<Point>> polylines_;
   std::vector<bool> closed_;

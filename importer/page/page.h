@@ -25,7 +25,7 @@ enum class PageUnit { pixel, point };
 struct TextBox {
   std::string utf8;
   Box box;
-  double angle_deg = 0;  ///< of the baseline, counter-clockwise; 90 = reads upwards
+  double angle_deg = 0;  ///< angle of the baseline, counter-clockwise; 90 = reads upwards
 };
 
 /// One stroked and/or filled path, flattened to polylines within 0.005 page units; clipped invisible ones are
@@ -53,7 +53,7 @@ struct Page {
   int number = 1, count = 1;
   PageUnit unit = PageUnit::pixel;
   double width = 0, height = 0;
-  std::optional<double> dpi;  ///< of a picture, if its file states it
+  std::optional<double> dpi;  ///< resolution of a picture, if its file states it
   std::vector<TextBox> texts;
   std::vector<VectorPath> paths;
   std::vector<PlacedImage> images;

@@ -13,7 +13,7 @@ namespace detent::importer {
 
 /// A connected component: marked pixels that touch at edges or corners.
 struct PixelComponent {
-  Box box;  ///< of whole pixels: x1 and y1 are the first column and row beyond it
+  Box box;  ///< box of whole pixels: x1 and y1 are the first column and row beyond it
   int area_px = 0;
   int runsAcross = 0;  ///< number of runs of marked pixels in all its rows
   int runsDown = 0;    ///< number of runs of marked pixels in all its columns

@@ -18,7 +18,7 @@ bool Visibility::mayCompare(std::size_t things) {
 }
 
 bool Visibility::isSameWord(std::size_t before, std::size_t next) const {
-  // of a letter's size: from the beginning of one letter to that of the next
+  // share of a letter's size, from the beginning of one letter to that of the next
   constexpr double farthest = 1.5;
   const SetLetter &a = letters_[before].letter, &b = letters_[next].letter;
   return letters_[before].sight == letters_[next].sight &&

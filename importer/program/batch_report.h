@@ -44,7 +44,7 @@ class BatchReport {
  private:
   std::string path_;
   std::set<std::string> done_;
-  std::uintmax_t size_ = 0;  ///< of the report, whole lines
+  std::uintmax_t size_ = 0;  ///< size of the report's whole lines
   std::ofstream report_, journal_;
 };
 

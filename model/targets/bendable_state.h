@@ -32,7 +32,7 @@ enum class Moved {
   landmark,    ///< a landmark of the press, before the bottom-out
   stopTravel,  ///< the start of the bottom-out or the end of a stroke, in displacement
   stopForce,   ///< the same in force
-  bulge,       ///< of the press
+  bulge,       ///< a bulge of the press
   release,     ///< a landmark of the release, before the bottom-out
   releaseBulge,
   contact
@@ -52,7 +52,7 @@ class BendableState {
   };
   /// Movement of the operating and the reset point.
   enum class Contacts {
-    free,   ///< by themselves
+    free,   ///< contacts move by themselves
     riding  ///< contacts keep their place on the curve
   };
   BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges, Contacts contacts);
