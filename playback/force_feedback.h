@@ -87,7 +87,7 @@ struct ForceStatus {
   /// stopped
   std::uint64_t withdrawn = 0;
   std::uint64_t lateAnswers = 0, malformedAnswers = 0, repeatedAnswers = 0, reconnects = 0, firmwareTries = 0;
-  /// of the passivity observer; below 0: the button gave more energy than it had stored
+  /// lowest balance of the passivity observer; below 0: the button gave more energy than it had stored
   double lowestBalance_mJ = 0;
   std::uint64_t droppedRows = 0;
   bool connected = true;

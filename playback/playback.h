@@ -60,7 +60,7 @@ Result<std::vector<SoundDevice>> listSoundDevices();
 /// it).
 struct MaskingNoise {
   double level = 0;  ///< rms, share of full scale, 0..0.3; 0: none
-  /// of the headphones; empty: the player's own device, on up to two outputs behind the vibration's
+  /// device of the headphones; empty: the player's own device, on up to two outputs behind the vibration's
   std::string device;
 };
 
@@ -91,7 +91,7 @@ struct PlayerStatus {
   double sampleRate_Hz = 0;
   std::uint32_t blockFrames = 0;
   double outputLatency_s =
-      0;  ///< from a block to the device's output, as reported by the sound system; 0: not reported
+      0;  ///< time from a block to the device's output, as reported by the sound system; 0: not reported
   bool deviceLost = false;  ///< at the moment the device is missing; playing continues when it is back
   std::uint64_t deviceLosses = 0;
   /// Force and displacement after the last reading; for a recorded trace those that the callback plays, up to
@@ -219,7 +219,7 @@ struct LatencySettings {
   std::string inputDevice;  ///< accelerometer, microphone or a loop of the output
   std::size_t trials = 50;  ///< K&L: N = 50; >= 1
   EventPlacement placement = EventPlacement::timeStamped;
-  double sensorRate_Hz = 425;  ///< of the simulated sensor
+  double sensorRate_Hz = 425;  ///< reading rate of the simulated sensor
   std::string sensorPort;      ///< empty: a simulated sensor ramps through the tactile force
   unsigned baud = 230400;
   SensorCalibration calibration;

@@ -14,26 +14,26 @@ constexpr double pi = std::numbers::pi;
 
 // Dimensions of one leg in its own plane: u away from the middle of the base, v along the base, w to the
 // person.
-constexpr double baseU_mm = 40, baseV_mm = -23.09;  // of the thigh's axis
+constexpr double baseU_mm = 40, baseV_mm = -23.09;  // position of the thigh's axis
 constexpr double thigh_mm = 60, shin_mm = 102.5;
 constexpr double joints_mm = 11.25 + 11.25;  // between shin and thigh, and shin and handle
-// from the end of the shin to the middle of the handle
+// offset from the end of the shin to the middle of the handle
 constexpr double handleU_mm = 14.43, handleV_mm = -25;
-constexpr double tilt_rad = pi / 12;  // of the legs, relative to the table top
+constexpr double tilt_rad = pi / 12;  // tilt of the legs relative to the table top
 constexpr Vector legs_rad{pi / 2 + tilt_rad, -pi / 6 + tilt_rad, -5 * pi / 6 + tilt_rad};
 
 constexpr double countsPerTurn = 320 * 4, capstan_mm = 14.25, sector_mm = 110;
-constexpr double zero_rad = 35 * pi / 180;  // of the thigh at count 0
+constexpr double zero_rad = 35 * pi / 180;  // angle of the thigh at count 0
 
 constexpr int mostSteps = 40;
 constexpr double closeEnough_mm = 1e-11, farthest_mm = 1000, stretched = 1e-6;
 
 /// Geometry of one leg at a position of the handle.
 struct Leg {
-  double h_mm = 0, w_mm = 0;    ///< from the thigh's axis to the shin's end, before the joints
+  double h_mm = 0, w_mm = 0;    ///< distances from the thigh's axis to the shin's end, before the joints
   double reach_mm = 0;          ///< length of shin and joints as projected to the leg's plane
-  double lean = 0;              ///< of the shin out of that plane: -d reach / d v
-  double cosine = 0, sine = 0;  ///< of the leg's direction
+  double lean = 0;              ///< lean of the shin out of that plane: -d reach / d v
+  double cosine = 0, sine = 0;  ///< cosine and sine of the leg's direction
 };
 
 std::optional<Leg> legAt(std::size_t i, const Vector& p) {

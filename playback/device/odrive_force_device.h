@@ -18,7 +18,7 @@ namespace detent::playback {
 
 struct OdriveSettings {
   std::string port;
-  unsigned baud = 115200;  ///< of a UART; USB ignores it
+  unsigned baud = 115200;  ///< baud rate of a UART; USB ignores it
   unsigned axis = 0;       ///< 0 or 1
   double mmPerTurn =
       60;  ///< not 0; travel of the handle per turn, negative if the motor is mounted the other way round

@@ -13,7 +13,7 @@
 namespace detent::playback {
 
 namespace {
-constexpr int readerPriority = 60;  // below the audio callback (JACK: 65)
+constexpr int readerPriority = 60;  // lower than that of the audio callback (JACK: 65)
 constexpr double rateWindow_s = 1.0;
 constexpr double healthCheck_s = 0.05;
 constexpr std::string_view whoIsThere = "?\n";  // a sensor without this command ignores it

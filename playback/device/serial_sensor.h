@@ -31,7 +31,7 @@ struct SensorHealth {
   std::uint64_t wrongStamps = 0;  ///< time stamps that were rejected
   std::string greeting;           ///< the firmware's "# detent-force ..." line, without the "# "
   SensorState state = SensorState::starting;
-  double rate_Hz = 0;  ///< of accepted readings, over the last second or so
+  double rate_Hz = 0;  ///< rate of accepted readings, over the last second or so
   double force_N = 0;  ///< last accepted
   double raw = 0;      ///< the same before calibration
   std::uint64_t reconnects = 0;

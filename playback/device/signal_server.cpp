@@ -27,7 +27,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr int receiverPriority = 60;  // below the audio callback (JACK: 65)
+constexpr int receiverPriority = 60;  // lower than that of the audio callback (JACK: 65)
 constexpr int stopCheck_ms = 50;
 constexpr std::size_t mostArguments = 3, largestPacket = 65536, deepestBundle = 8;
 constexpr std::array<char, 8> bundleName{"#bundle"};  // including its terminating zero

@@ -18,7 +18,7 @@ struct SimulatedDeviceSettings {
   double damping_Ns_per_mm = 0.001;
   double step_mm = 0.001;
   double period_s = 0.001;
-  double delay_s = 0.001;  ///< from a reading to the force computed from it
+  double delay_s = 0.001;  ///< time from a reading to the force computed from it
   double lag_s = 0;        ///< time constant of the motor
   double force_N = 10;     ///< the motor saturates here
   double start_mm = 0;

@@ -70,7 +70,7 @@ class SimulatedFinger {
   bool started_ = false;
   std::size_t next_ = 0;  ///< next point of a path
   double correction_mm_ = 0,
-         relaxed_mm_ = 0;  ///< of a hold: offset added to the aim before, and the aim after arrival
+         relaxed_mm_ = 0;  ///< for a hold: offset added to the aim before arrival, and the aim after it
   bool arrived_ = false;
   double phaseStart_s_ = 0, turned_mm_ = 0, felt_s_ = -1;
   enum class Phase : std::uint8_t { pause, down, back } phase_ = Phase::pause;

@@ -23,7 +23,7 @@ constexpr double movingShare = 0.1;
 constexpr double standsOut = 3;        // standard errors from which a value is significant
 constexpr double slidingShare = 0.02;  // share of the largest speed from which friction has its full value
 constexpr double mmPerM = 1000;
-// of the squared residual: at least this share counts as noise of the force, not as rounding of positions
+// least share of the squared residual that counts as noise of the force, not as rounding of positions
 constexpr double leastNoiseShare = 0.05;
 
 /// Columns of the fit, in this order: c, k at the knots, b at the knots, f, m.

@@ -23,7 +23,7 @@ struct MotionRecord {
 
 struct MotionIdentification {
   Estimate mass_kg, friction_N, damping_Ns_per_mm;
-  /// from a reading to the beginning of the force computed from it, beyond the hold of one period
+  /// delay from a reading to the beginning of the force computed from it, beyond the hold of one period
   Estimate delay_s;
   Estimate lag_s;  ///< time constant with which the force follows after the delay
   /// sum of both, on which stability depends: known much more accurately than either

@@ -45,7 +45,7 @@ class RecordWindows {
 /// that are at an end of the record.
 struct Stays {
   static constexpr std::size_t moving = static_cast<std::size_t>(-1);
-  /// of each sample: samples of one rest have the same number; others have `moving`
+  /// number of each sample's rest; samples in movement have `moving`
   std::vector<std::size_t> level;
   std::size_t levels = 0;
 };

@@ -16,7 +16,7 @@ constexpr double mostNoise = 1e6;
 
 constexpr double magnetRadius_mm = 1.5, magnetLength_mm = 2, gap_mm = 1.2;
 constexpr double restReading = 2048,
-                 // of 4096: rest at half of the scale, and the used part of the upper half
+                 // counts of 4096: rest is at half of the scale, and a part of the upper half is used
     swingReading = 1900;
 constexpr int assumedPieces = 64;
 

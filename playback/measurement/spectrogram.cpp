@@ -16,7 +16,7 @@ namespace {
 constexpr double stopBand_dB = 80;
 constexpr double ratePerBand = 2.6;  // the reduced rate relative to highest_Hz: 2, plus room for the filter
 constexpr std::size_t padding = 3;   // bins per window width: enough for smooth interpolation on a display
-// of a Kaiser window for a stop band of more than 50 dB
+// shape of a Kaiser window with a stop band of more than 50 dB
 constexpr double kaiserBeta = 0.1102 * (stopBand_dB - 8.7);
 
 double besselI0(double x) {

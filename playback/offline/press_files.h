@@ -35,7 +35,7 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 /// One channel of sound.
 struct SoundSamples {
   double sampleRate_Hz = 0;
-  int channels = 1;  ///< of the file; `samples` is the mean of its channels
+  int channels = 1;  ///< number of channels of the file; `samples` is their mean
   /// from 1: the strongest channel, used alone because channels of opposite sign cancel each other;
   /// otherwise 0
   int onlyChannel = 0;

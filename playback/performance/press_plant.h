@@ -23,7 +23,8 @@ inline constexpr double rapidTravel_m = 0.0002;  ///< distance at which a rapid 
 struct PressCommand {
   double amplitude_N = 1;  ///< amplitude of the flexor, > 0
   double duration_s = 0.08;
-  double lift_s = 0;  ///< from the end of the flexor's pulse to the start of the extensor's; may be negative
+  /// time from the end of the flexor's pulse to the start of the extensor's; may be negative
+  double lift_s = 0;
 };
 
 /// Result of a press. Times count from the start of the command.

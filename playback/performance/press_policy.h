@@ -24,7 +24,7 @@ struct PressStatistics {
   double commandToActivation_s = 0, commandToActivationSpread_s = 0;
   double impactSpread_s = 0;  ///< standard deviation of the time from the command to the peak force
   double cycle_s = 0;         ///< command to end of press
-  /// from activation to the opening of the contact: at the button's reset point, and by rapid trigger
+  /// time from activation to the opening of the contact: at the button's reset point, and by rapid trigger
   double held_s = 0, rapidHeld_s = 0;
   double missed = 0, doubled = 0, rapidDoubled = 0;
 };

@@ -80,7 +80,7 @@ struct PlaybackSettings {
       0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
   double grainAmplitude = 0.5;  ///< not given by K&L, who state only that jumps are clearly stronger; [0, 1]
   GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/develop/decisions/0900
-  /// of the grains, so that no constant signal reaches a transducer; 0: none; [0, 100]
+  /// cutoff of the grains' high-pass, so that no constant signal reaches a transducer; 0: none; [0, 100]
   double highPass_Hz = 20;
   LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/develop/decisions/0900
   double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]
@@ -113,7 +113,7 @@ struct PlaybackSettings {
   /// force by which the stroke turns back; 0: from the sensor's noise (docs/develop/decisions/0906); [0,
   /// 10]
   double hysteresis_N = 0;
-  double hysteresis_mm = 0.01;  ///< for displacement inputs; (0, 1]
+  double hysteresis_mm = 0.01;  ///< the same for displacement inputs; (0, 1]
   /// decrease from a tactile force after which its jump can fire again, at most half the way to the stroke's
   /// start; 0: 2.5 times the hysteresis; [0, 10]
   double rearm_N = 0;

@@ -401,7 +401,7 @@ class ForcePreparation {
 
   void remarkSteepness(const StrokeCurve& curve, std::size_t s) {
     double rise = 0, rise_mm = 0, fall = 0, fall_mm = 0;
-    // of a table's capacity; a vertical rise cannot be steeper than one row
+    // width of a row if the table is full; a vertical rise cannot be steeper than one row
     const double narrowest_mm = curve.travel_mm() / maxForceRows;
     for (std::size_t i = 1; i <= maxForceRows; ++i) {
       const double to_mm = curve.start_mm() + static_cast<double>(i) * narrowest_mm;

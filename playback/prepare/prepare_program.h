@@ -41,7 +41,7 @@ const char* nameOf(PrepareWarningCode code);
 /// Summary of the preparation, for a one-line report and for doubts.
 struct PrepareSummary {
   std::size_t grains = 0;  ///< grain positions of the first state's press stroke
-  std::size_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0;  ///< over all states
+  std::size_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0;  ///< numbers over all states
   std::size_t tablePoints = 0;
   double tableError_N = 0;  ///< largest distance of a table from its curve
   std::vector<PrepareWarning> warnings;

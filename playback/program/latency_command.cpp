@@ -24,7 +24,7 @@ struct LatencyArguments {
   std::string inputDevice;
   std::size_t trials = 50;
   EventPlacement placement = EventPlacement::timeStamped;
-  double sensorRate_Hz = 425;  ///< of the simulated sensor
+  double sensorRate_Hz = 425;  ///< reading rate of the simulated sensor
   double threshold = 0;
   std::string profileFile, outputFile, csvFile;
   bool json = false;

@@ -18,7 +18,7 @@ struct RealDeviceOptions {
   std::optional<double> largest_N;  ///< none: that of the preset; 0 is a valid limit, which no device has
   unsigned baud = 0, axis = 0;      ///< baud 0: the device's own
   double mmPerTurn = 60;
-  std::string firmwareFile;  ///< of a Falcon
+  std::string firmwareFile;  ///< firmware file of a Falcon
 
   void applyTo(ForceDeviceChoice& device) const;
 };

@@ -135,7 +135,7 @@ struct HapticProgram {
 
   GrainCarrier grainCarrier = GrainCarrier::running;
   LowPass lowPass;
-  /// of the slope's grains, so that no constant signal reaches a transducer; 0: none
+  /// cutoff of the grains' high-pass, so that no constant signal reaches a transducer; 0: none
   double highPass_Hz = 20;
   std::uint32_t equalizerBandCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> equalizer{};

@@ -13,8 +13,8 @@ namespace detent::playback {
 /// Presses of a finger during a period of time.
 struct PressCount {
   std::uint64_t begun = 0;  ///< presses that left the top
-  std::uint64_t whole =
-      0;  ///< of these, presses that reached the bottom-out (without one: 95 % of the travel) and came back
+  /// those of these presses that reached the bottom-out (without one: 95 % of the travel) and came back
+  std::uint64_t whole = 0;
   double peak_N = 0;     ///< strongest force while away from the top
   double travel_mm = 0;  ///< deepest position, measured from the start of the press stroke
 };

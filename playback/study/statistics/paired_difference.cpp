@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t mostEnumerated = 20;  // a million sign patterns, which take some milliseconds
 constexpr std::size_t randomPatterns = 100000;
 constexpr std::uint64_t seed = 19350101;
-// of the sum of all |differences|: sums in another order of addition count as equal
+// share of the sum of all |differences|; sums in another order of addition count as equal
 constexpr double roundOff = 1e-12;
 
 /// Calls `visit(sum over the members, size)` for every subset of `values`, or for many random ones. Subsets

@@ -44,7 +44,8 @@ struct PressTiming {
 struct PersonTiming {
   std::size_t trials = 0, presses = 0;
   PressTiming timing;
-  /// from the first trial to the last, in the unit of `place` times interval (tapping: of the logarithm)
+  /// change from the first trial to the last, in the unit of `place` times interval (tapping: of the
+  /// logarithm)
   double drift = 0;
   double lapses = 0;  ///< share of the presses
 };

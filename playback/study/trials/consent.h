@@ -16,13 +16,13 @@ namespace detent::playback {
 struct ConsentText {
   std::string language;  ///< "de"; empty: for every other language
   std::string text;      ///< UTF-8
-  std::string sha256;    ///< of the text
+  std::string sha256;    ///< hash of the text
 };
 
 /// A decision about a text.
 struct ConsentDecision {
   std::string language;  ///< the text was shown in
-  std::string sha256;    ///< of the text
+  std::string sha256;    ///< hash of the text
   double utc_s = 0;      ///< system clock, seconds since 1970
 };
 

@@ -34,7 +34,7 @@ void placeNextLevel(const Study& study, ParticipantRecord& record) {
   if (study.design.kind != StudyKind::threshold || next >= record.plan.size()) return;
   Trial& trial = record.plan[next];
   const std::size_t reference = trial.choices[1 - trial.target];
-  std::size_t level = increasesOf(study, reference).size() - 1;  // for practice, the easiest level
+  std::size_t level = increasesOf(study, reference).size() - 1;  // practice trials have the easiest level
   if (!trial.practice) level = beliefAfter(study, record, reference, trial.mode, next).nextLevel();
   trial.choices[trial.target] = study.levels[firstLevelOf(study, reference) + level].button;
 }

@@ -156,7 +156,7 @@ struct Study {
   std::string profileSha256;  ///< empty without a profile
   std::vector<StudyStimulus> stimuli;
   Unfinished unfinished = Unfinished::leftOut;  ///< as planned
-  std::vector<std::string> sites;               ///< of a merged study (below); else empty
+  std::vector<std::string> sites;               ///< names of a merged study's sites (below); else empty
 
   /// Number of buttons with which the study was made.
   std::size_t givenButtons() const { return buttons.size() - levels.size(); }

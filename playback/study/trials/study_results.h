@@ -111,7 +111,7 @@ struct GroupResult {
 struct GroupComparison {
   std::string first, second;        ///< conditions
   std::optional<std::size_t> pair;  ///< index into pairsOf(); none: all trials
-  /// by flipping signs of persons; otherwise by permuting participants between the groups
+  /// true: tested by flipping signs of persons; false: by permuting participants between the groups
   bool paired = false;
   std::size_t participants = 0;  ///< paired: people in both; otherwise in either
   double difference = 0;  ///< difference of the error rates, first minus second; paired: mean over persons
@@ -122,11 +122,11 @@ struct GroupComparison {
 
 struct StudyResults {
   std::string study;
-  std::string source;  ///< of printed counts: their source
+  std::string source;  ///< source of printed counts; empty for a study
   StudyKind kind = StudyKind::abx;
   StudySound sound;                          ///< the sound of presses in the study
   std::string feel;                          ///< "clear", "paper"; empty: unknown for printed counts
-  std::vector<std::string> labels, names;    ///< of the buttons
+  std::vector<std::string> labels, names;    ///< labels and names of the buttons
   std::vector<TrialRow> rows;                ///< of all participants
   std::vector<GroupResult> groups;           ///< abx, matching
   std::vector<GroupComparison> comparisons;  ///< abx, matching

@@ -140,7 +140,7 @@ FigureCell timingCount(std::size_t n) { return static_cast<double>(n); }
 struct TimingCell {
   std::string button, condition;
   TimedPeople presses;
-  std::map<std::string, double> within_s;  ///< by person: median time accuracy of their presses
+  std::map<std::string, double> within_s;  ///< for each person: median time accuracy of their presses
 };
 
 /// One person in one cell.
