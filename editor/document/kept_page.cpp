@@ -28,7 +28,7 @@ std::string pngOf(const QImage& picture) {
   QByteArray png;
   QBuffer buffer(&png);
   buffer.open(QIODevice::WriteOnly);
-  constexpr int smallFile = 10;  // of 100
+  constexpr int smallFile = 10;  // quality, of 100: a low one gives a small file
   if (!picture.convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG", smallFile)) return {};
   return png.toStdString();
 }

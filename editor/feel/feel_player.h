@@ -132,7 +132,7 @@ class FeelPlayer : public QObject {
   SensorPort sensor_;
   QString sensorTrouble_;
   std::function<double()> devicePosition_mm_;  // null: none
-  std::unique_ptr<DepthFeed> deviceFeed_;      // of player_
+  std::unique_ptr<DepthFeed> deviceFeed_;      // feeds positions to `player_`
   SoundState sound_ = SoundState::off;
   QString trouble_;
 

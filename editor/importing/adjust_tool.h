@@ -13,7 +13,7 @@ namespace detent::editor {
 /// A corner, edge, tick, mask or point on the page that can be dragged.
 struct PageHandle {
   enum class Kind { corner, edge, givenTick, foundTick, mask, point } kind = Kind::corner;
-  GraphAxis axis = GraphAxis::x;  ///< of ticks
+  GraphAxis axis = GraphAxis::x;  ///< axis of a tick
   std::size_t index = 0;  ///< corner 0..3, edge from corner i to i+1, tick or mask of the shown corrections
                           ///< (found: of the result), point among the drawn marks
   QPointF at;             ///< widget

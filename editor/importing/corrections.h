@@ -39,7 +39,7 @@ struct AxisCorrection {
 /// most one operating point and one reset point; for those only `to` counts.
 struct MarkCorrection {
   enum class Kind { tactile, operating, reset } kind = Kind::tactile;
-  Stroke stroke = Stroke::press;            ///< of a tactile point
+  Stroke stroke = Stroke::press;            ///< stroke of a tactile point
   std::optional<importer::Point> from, to;  ///< page units
   friend bool operator==(const MarkCorrection&, const MarkCorrection&) = default;
 };

@@ -301,7 +301,7 @@ void ImportDialog::Impl::build() {
   graphsOnly->setToolTip(tr("List the graphs without the pages between them"));
   QObject::connect(graphsOnly, &QCheckBox::toggled, pages, &PageList::setGraphsOnly);
   splitter->addWidget(side);
-  // Placed beside the lists, which do not move when a question appears or disappears.
+  // The advice is placed beside the lists, so that they do not move when a question appears or disappears.
   auto* centre = new QWidget;
   auto* centreColumn = new QVBoxLayout(centre);
   centreColumn->setContentsMargins(0, 0, 0, 0);

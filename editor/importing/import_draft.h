@@ -21,7 +21,7 @@ struct DraftGraph {
 };
 
 struct ImportDraft {
-  QString path;     ///< of the sheet; empty for a pasted picture
+  QString path;     ///< path of the sheet; empty for a pasted picture
   QString picture;  ///< file of a pasted picture; empty for a sheet
   importer::Quality quality = importer::Quality::standard;
   std::optional<GraphId> current;

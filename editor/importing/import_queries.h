@@ -55,7 +55,7 @@ struct DocumentFacts {
 struct PageThumbnail {
   int page = 1;
   QImage picture;
-  QRectF bounds;  ///< of the page, page units
+  QRectF bounds;  ///< bounds of the page, page units
 };
 struct PageSheet {
   int page = 1;
@@ -77,10 +77,9 @@ struct ImportedGraph {
   std::shared_ptr<const importer::ImportReport> report;  ///< null if the import failed
   std::optional<Failure> failure;                        ///< then
   std::shared_ptr<const importer::GraphEvidence>
-      evidence;      ///< evidence of the steps that ran; null if no frame was read, and for logs
-  PagePicture view;  ///< the evidence's pixels; empty without it
-  std::string explanation =
-      {};  ///< of a log: its best readings with their evidence, as --explain prints them
+      evidence;                  ///< evidence of the steps that ran; null if no frame was read, and for logs
+  PagePicture view;              ///< the evidence's pixels; empty without it
+  std::string explanation = {};  ///< best readings of a log with their evidence, as --explain prints them
 };
 using Answer = std::variant<Failure, DocumentFacts, PageThumbnail, PageSheet, FoundGraphs, ImportedGraph>;
 

@@ -17,7 +17,7 @@ constexpr int largestSide_px = 2000;  // same as that of the import's own view
 constexpr int samplesOfCurve = 96;
 constexpr int nearCurve_px = 2,
               background_px = 9;   // half width of the search for a curve, and of its background
-constexpr int leastContrast = 60;  // of 255, in one channel
+constexpr int leastContrast = 60;  // levels of 255, in one channel
 
 /// The frame with a margin for its labels, within the page.
 importer::Box around(const importer::Box& frame, const importer::Page& page) {

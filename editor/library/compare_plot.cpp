@@ -149,7 +149,8 @@ void ComparePlot::drawCurves() {
   yAxis->rescale();
   yAxis->scaleRange(1.1);
   yAxis->setRangeLower(
-      std::min(0.0, yAxis->range().lower));  // from 0, so that differences appear in proportion
+      // the axis begins at 0, so that differences appear in proportion
+      std::min(0.0, yAxis->range().lower));
   if (differences_) drawDifferences();
 }
 

@@ -25,7 +25,7 @@ struct OperationField {
   FieldKind kind = FieldKind::factor;
   double value = 0, minimum = 0, maximum = 0;
   QString tip;
-  QStringList choices;  ///< of FieldKind::choice; the value is an index into them
+  QStringList choices;  ///< entries of FieldKind::choice; the value is an index into them
 };
 
 /// One operation of the dialog. `edit` gets the button before and the fields' values.

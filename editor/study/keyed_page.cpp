@@ -104,7 +104,7 @@ QPushButton* KeyedPage::makeFeelButton(const PageButton& button, const std::func
 bool KeyedPage::press(int key) const {
   if (!isEnabled()) return false;
   if (key == Qt::Key_Enter) key = Qt::Key_Return;
-  if (key == Qt::Key_Comma) key = Qt::Key_Period;  // of numbers
+  if (key == Qt::Key_Comma) key = Qt::Key_Period;  // both decimal signs count as one key
   for (const Bound& bound : keys_) {
     if (bound.key != key) continue;
     bound.act();

@@ -15,7 +15,7 @@ namespace detent::editor {
 struct DragTask {
   using Edit = std::function<Result<Button>(const Button& start, CurvePoint to)>;
 
-  QString label;    ///< of the undo step
+  QString label;    ///< label of the undo step
   CurvePoint from;  ///< start position of the dragged item
   Stroke stroke = Stroke::press;
   std::optional<MarkId> mark;  ///< mark whose position is shown; nullopt: the pointer's

@@ -14,7 +14,7 @@ namespace detent::editor {
 
 /// Snap targets. References must outlive the call.
 struct SnapSources {
-  std::span<const CurvePoint> traced;        ///< of the dragged point's stroke
+  std::span<const CurvePoint> traced;        ///< traced points of the dragged point's stroke
   const StrokeCurve* otherStroke = nullptr;  ///< null: none
 };
 

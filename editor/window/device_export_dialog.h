@@ -16,7 +16,7 @@ namespace detent::editor {
 /// The choice in the dialogue, and the ending of its file.
 struct DeviceChoice {
   DeviceExport wanted;
-  QString name;    ///< of the format, for people
+  QString name;    ///< name of the format, for people
   QString ending;  ///< ".ahap"
 };
 

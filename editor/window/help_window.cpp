@@ -64,7 +64,7 @@ class GuidePages : public QTextBrowser {
 
 /// An entry of the glossary.
 struct Entry {
-  const char* name;  ///< of the picture's widget
+  const char* name;  ///< object name of the picture's widget
   std::vector<KeyFigure> figures;
   QString term, meaning;
 };
