@@ -19,8 +19,9 @@ class ExportController : public QObject {
   explicit ExportController(const ControllerContext& context, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
-  /// CSV with decimal commas, and semicolons between the fields.
+  /// CSV at travels that the user types.
   void csvAt(DocumentTab& tab);
+  /// CSV with decimal commas, and semicolons between the fields.
   void semicolonCsv(DocumentTab& tab);
   /// Exports the graph for printing, with the settings of a dialogue.
   void graph(DocumentTab& tab);
