@@ -25,8 +25,8 @@ namespace {
 
 // Largest confidence of a doubted import. Below `confidenceBar`: refused unless the user lowers the bar;
 // above: reported as a remark.
-constexpr double contradicted = 0.2;  // a doubt that the page contradicts
-constexpr double unconfirmed = 0.4;   // a doubt about something that the page does not confirm
+constexpr double contradicted = 0.2;  // the page contradicts the reading
+constexpr double unconfirmed = 0.4;   // the page does not confirm the reading
 constexpr double inPart = 0.6;        // the reading is right but incomplete: reported, not refused
 
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke

@@ -17,7 +17,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double tactile_N = 0.6;    // tactile force of the button that the measurement presses
-constexpr double ramp_N_per_s = 50;  // speed of a fast keystroke
+constexpr double ramp_N_per_s = 50;  // as in a fast keystroke
 constexpr double top_N = 1.2;
 constexpr double answerWithin_s = 0.4;
 constexpr double settle_s = 0.15;   // pauses between press, release and the next press

@@ -44,7 +44,7 @@ struct GraphScene {
   /// traced points, to which residuals are drawn; empty: none
   std::span<const CurvePoint> tracedPress, tracedRelease;
   bool handlesShown = true;  ///< knots and handles; off in exported pictures
-  /// error of an imported graph, which decides how many digits of its forces are shown
+  /// error of an imported graph, which decides how many digits of its values are shown
   std::optional<ReadingError> readingError;
   std::span<const Note> notes = {};          ///< remarks; only those of this state are drawn
   std::span<const PinnedPoint> pinned = {};  ///< drawn with the handles

@@ -83,8 +83,8 @@ class LatestAnswer {
         if (answers.latest_ == number) report();
       });
     }
-    /// The same for a request that a newer one may replace. Qt drops events for a destroyed object, and the
-    /// destructor waits for this thread.
+    /// Calls the callback in the GUI thread even if a newer request exists. Qt drops events for a destroyed
+    /// object, and the destructor waits for this thread.
     template <class Report>
     void tellAnyway(Report report) const {
       QMetaObject::invokeMethod(answers_.owner_, std::move(report), Qt::QueuedConnection);

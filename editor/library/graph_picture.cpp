@@ -39,7 +39,7 @@ Plane planeFor(const Button& button, QSizeF size_px) {
       plane.fromF_N = std::min(plane.fromF_N, low);
       plane.toF_N = std::max(plane.toF_N, high);
     }
-  if (!(plane.toF_N > plane.fromF_N)) plane.toF_N = plane.fromF_N + 1;  // the force is constant
+  if (!(plane.toF_N > plane.fromF_N)) plane.toF_N = plane.fromF_N + 1;  // all forces are 0
   return plane;
 }
 

@@ -29,11 +29,11 @@ class LibrarySource : public QObject {
   /// Loads a library; `loaded` or `failed` follows. A library that cannot be read, for example that of
   /// another version, is rebuilt from `orFrom`'s folders as by index().
   void load(const QString& database, LibraryRequest orFrom = {});
-  /// Emits `indexed` and then the signals of load(), or `failed`; `progressed` meanwhile.
+  /// Emits `indexed` or `failed`, then the signals of load(); `progressed` meanwhile.
   void index(LibraryRequest request);
   /// Ends an index run; files read so far are kept and loaded.
   void cancel();
-  /// Emits `opened` or `failed` for each call, in order.
+  /// Emits `failed` for each switch that cannot be read, then `opened` once with all the others.
   void open(const std::vector<importer::LibrarySwitch>& entries);
 
  signals:

@@ -43,8 +43,8 @@ Change changeIn(const QString& text) {
   return {Change::Kind::none, text};
 }
 
-// "30 %" of a share means 0.3. For any other quantity it means that part of the present value; with a sign, a
-// change by that part.
+// "30 %" of a share means 0.3, of any other quantity that part of the present value. With a sign it means a
+// change by that part, for a share too.
 QuantityReading readPercent(const QString& text, Quantity quantity, std::optional<double> now) {
   const Change change = changeIn(text);
   const bool less = change.kind == Change::Kind::minus ||

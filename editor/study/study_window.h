@@ -51,7 +51,7 @@ class StudyWindow : public QWidget {
 
  signals:
   void progressed(const StudyProgress& progress);
-  void finished();  ///< the participant has finished; the window is about to close
+  void finished();  ///< the window is about to close, and the experimenter takes over
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

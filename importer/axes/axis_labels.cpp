@@ -17,7 +17,8 @@ namespace detent::importer {
 namespace {
 
 constexpr int rowAttempts = 3;
-constexpr double sureLabelReading = 0.9;  // confidence of the text engine from which a label counts as read
+// confidence of the text engine from which a label counts as certain
+constexpr double sureLabelReading = 0.9;
 
 /// Returns true if the text is one number without blanks. In a line of several numbers their positions are
 /// unknown.

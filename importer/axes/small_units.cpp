@@ -27,7 +27,8 @@ constexpr std::array units{Unit{"mm"},       Unit{"cm"},  Unit{"in"}, Unit{"inch
 
 /// Likeness of the unit in either kind of brackets, in the style that fits best.
 double unitLikeness(const Unit& unit, const cv::Mat& patch, double height, std::vector<DrawnText>& hands) {
-  // factor of a line's height between the bracket and the end of the line; there may be dust or a full stop
+  // largest gap between the bracket and the end of the line, in heights of the line; there may be dust or a
+  // full stop
   constexpr double blank = 0.75;
   double best = -1;
   for (DrawnText& hand : hands)

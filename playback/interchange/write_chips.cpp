@@ -88,7 +88,7 @@ class SliceWriter {
 
  private:
   static constexpr double latestOnset_s =
-      0.001;  // longest delay of a jump, for which the jump before it can be felt
+      0.001;  // longest delay of a jump that is accepted so that the jump before it is felt
   static constexpr double shortestPause_s = 1.0 / (slice_Hz * highestByte) / 2;
 
   double nextOnset_s() const {

@@ -14,7 +14,7 @@ namespace detent::playback {
 /// Kind of the largest difference between two buttons.
 enum class Cue : std::uint8_t {
   strength,  ///< level of the vibration, at the same place of the stroke
-  timing,    ///< time in the stroke at which most of the vibration comes
+  timing,    ///< mean time of the vibration, from the start of the stroke
   travel,    ///< apparent travel: number of grains that are passed
   force      ///< force of the finger on the way
 };
