@@ -402,8 +402,8 @@ class Doubts {
 
   const AxisCalibration& axes() const { return findings_.graph.axes.calibration.value; }
 
-  /// Reports given ends that contradict printed numbers which would be believed without them. What is given
-  /// by hand holds all the same.
+  /// Reports given ends that contradict printed numbers which would be believed without them. The given ends
+  /// are used nevertheless.
   void givenAgainstLabels(const char* name, const AxisReading& axis) {
     if (axis.contradicting.empty() || axis.contradictedBy < confidenceBar) return;
     std::string labels;

@@ -67,7 +67,7 @@ inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
 struct TimeLimit {
-  /// Starts now; ends after a share of the limit if work on the results remains.
+  /// Starts now. A share below 1 ends it earlier, which leaves time for work on the results.
   explicit TimeLimit(double limit_s, double share = 1)
       : seconds(limit_s),
         end(std::chrono::steady_clock::now() +

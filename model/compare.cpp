@@ -11,7 +11,7 @@ namespace detent {
 namespace {
 
 constexpr double sampleStep = 0.002;  // distance of samples, in normalised units of arc length
-constexpr double mostSamples = 1e5;   // limit for a stroke that is thousands of times larger than the spans
+constexpr double mostSamples = 1e5;   // reached by a stroke that is 200 times as long as the spans
 constexpr std::size_t runsPerLine = 256;
 
 struct Spot {

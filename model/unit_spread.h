@@ -14,7 +14,7 @@ namespace detent {
 /// One key figure over the units that have it.
 struct FigureSpread {
   KeyFigure figure = KeyFigure::peakForce;
-  std::size_t units = 0;     ///< that have it, >= 1
+  std::size_t units = 0;     ///< number of units that have the figure, >= 1
   double mean = 0;           ///< mm, N, N/mm, mJ, or a share
   std::optional<double> sd;  ///< standard deviation of a unit (n - 1); none if a single unit has the figure
   double least = 0, most = 0;

@@ -18,7 +18,7 @@ enum class MarkKind {
   turn,  ///< a valley or hump that is not a tactile point
   knot,
   slopeBefore,  ///< slope handle of the piece that ends at a knot
-  slopeAfter,   ///< slope handle of the piece that starts there
+  slopeAfter,   ///< slope handle of the piece that starts at a knot
   section,
   operatingPoint,
   resetPoint

@@ -89,7 +89,7 @@ void paintBottomOut(QPainter& painter, const PlotMapping& map, const GraphScene&
 }
 
 constexpr double bandOpacity = 0.22, referenceOpacity = 0.7;
-constexpr int longestReference = 24;  // characters of its name in the legend
+constexpr int longestReference = 24;  // most characters of the reference's name in the legend
 
 void drawPolylines(QPainter& painter, const std::vector<QPolygonF>& lines) {
   for (const QPolygonF& line : lines) painter.drawPolyline(line);
@@ -241,7 +241,7 @@ void paintResiduals(QPainter& painter, const PlotMapping& map, const StrokeCurve
     if (!nearest) continue;
     const QPointF off = p - *nearest;
     const double length = std::hypot(off.x(), off.y());
-    // Far from the points nothing is enlarged.
+    // A long residual is enlarged less, down to its own length.
     const double times = length > 0 ? std::clamp(longestResidual_px / length, 1.0, residualMagnification) : 0;
     ends << *nearest << *nearest + times * off;
   }
@@ -325,7 +325,7 @@ void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const
   painter.restore();
 }
 
-constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
+constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half the size of the marks
 // distance of a tactile point's force label from the point
 constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // distance of a label with two or three lines
@@ -817,8 +817,9 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
 
 // A numbered flag at the curve; short texts are also shown beside the flag.
 void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  constexpr double flag_px = 46, half_px = 8;  // above the force label of a tactile point
-  constexpr double beside_px = 26;             // half the flag and the margins of the text box
+  // distance of the flag from the curve, beyond the force label of a tactile point; half of the flag's width
+  constexpr double flag_px = 46, half_px = 8;
+  constexpr double beside_px = 26;  // half the flag and the margins of the text box
   constexpr int longest = 32, outside = 1000;
   if (scene.notes.empty()) return;
   const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);

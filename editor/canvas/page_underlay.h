@@ -19,8 +19,9 @@ class PageUnderlay : public QCPLayerable {
   /// `pixelToAxes`: from picture pixels (centre of the top left one at 0,0) to plot coordinates (may be
   /// projective).
   void setPage(const QImage& page, const QTransform& pixelToAxes);
-  /// Part of the plot in which the page is drawn, in its coordinates: outside its frame a page has numbers of
-  /// its own, which would stand beside those of the plot. Empty: everywhere.
+  /// Sets the part of the plot, in plot coordinates, in which the page is drawn. Outside the page's plot
+  /// frame are the page's own tick labels, which must not appear beside those of the plot. Empty: draws
+  /// everywhere.
   void setFrame(const QRectF& frame) { frame_ = frame; }
   void clear();
   bool empty() const { return page_.isNull(); }

@@ -12,7 +12,8 @@ namespace detent::editor {
 namespace {
 
 constexpr int largestSide_px = 2000, leastSide_px = 320;  // below that a curve is not recognisable
-constexpr double nextSmaller = 0.75;                      // about half the bytes
+// factor of the picture's sides, after which a PNG has about half the bytes
+constexpr double nextSmaller = 0.75;
 
 /// Reduced to at most that side; pixels keep their position on the axes.
 PlacedPage within(const PlacedPage& page, int side_px) {

@@ -21,7 +21,8 @@ class PressSignalSource : public QObject {
  public:
   explicit PressSignalSource(QObject* parent = nullptr);
 
-  /// Returns the revision that the answer will have, unless a later request replaces this one.
+  /// Returns the revision of this request, which its answer repeats. There is no answer if a later request
+  /// replaces this one before its computation starts.
   std::uint64_t request(PressSignalRequest request) { return answers_.ask(std::move(request)); }
   std::uint64_t lastRequested() const { return answers_.latest(); }
 

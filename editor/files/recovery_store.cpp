@@ -64,7 +64,7 @@ void RecoveryStore::watch(ButtonDocument& document) {
   documentChanged(document);
 }
 
-// Not restarted by further changes: in a long drag it still fires.
+// Starts the document's timer. Further changes do not restart it, so that it also fires during a long drag.
 void RecoveryStore::documentChanged(ButtonDocument& document) {
   const auto entry = watched_.value(&document);
   if (!entry) return;

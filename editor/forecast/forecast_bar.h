@@ -30,7 +30,7 @@ class ForecastBar : public QWidget {
   void setPair(ButtonDocument* changed, ButtonDocument* other);
 
  signals:
-  /// The menu of suggestions is up.
+  /// The menu of suggestions is open.
   void offered();
 
  private:

@@ -37,7 +37,8 @@ class ForecastSource : public QObject {
  public:
   explicit ForecastSource(QObject* parent = nullptr);
 
-  /// Returns the revision of the answer, unless a later request replaces this one.
+  /// Returns the revision of this request, which its answer repeats. A later request replaces this one, which
+  /// then has no answer.
   std::uint64_t request(std::vector<Button> buttons, ForecastPairs pairs = ForecastPairs::all) {
     return answers_.ask({std::move(buttons), pairs});
   }

@@ -44,7 +44,7 @@ class AdviceBar : public QFrame {
   QLabel *mark_, *words_;
   QLabel* question_;
   QGridLayout *units_, *buttons_;
-  int unit_ = 0, button_ = 0;  ///< numbers of the next ones
+  int unit_ = 0, button_ = 0;  ///< numbers of the next unit's and the next button's place
   Tone tone_ = Tone::note;
   QString said_;
 };

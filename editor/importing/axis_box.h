@@ -24,7 +24,8 @@ class AxisBox : public QGroupBox {
   /// `state` must outlive it.
   AxisBox(ImportState& state, GraphAxis axis, QWidget* parent = nullptr);
 
-  /// Shows the current graph's axis; `ofLog`: of a force meter's log, which has a unit alone.
+  /// Shows the current graph's axis; `ofLog`: it belongs to a force meter's log, of which only
+  /// the unit is shown.
   void follow(bool ofLog);
   /// The field that gets the focus.
   QLineEdit* firstField() { return min_; }

@@ -211,7 +211,7 @@ void BatchDialog::correct(const QTreeWidgetItem& item) {
 void BatchDialog::save() {
   const QString folder = at_.folderToSave(this);
   if (folder.isEmpty()) return;
-  const std::vector<const Row*> rows = chosen();  // now: more files have finished meanwhile
+  const std::vector<const Row*> rows = chosen();  // read after the question, because more files have finished
   int saved = 0;
   for (const Row* row : rows) {
     const QString path = suggestedPath(ButtonDocument(*row->result.button), folder, ".button.json");

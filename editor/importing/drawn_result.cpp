@@ -56,7 +56,7 @@ std::vector<DrawnTick> ticksOf(GraphAxis axis, const importer::GraphEvidence& ev
   return ticks;
 }
 
-// Along a tilted edge the steps of its own pixels resemble ticks: there only whole gridlines are reliable.
+// The pixels of a tilted edge form steps that resemble ticks, so only whole gridlines are reliable there.
 std::vector<QPointF> linesOf(GraphAxis axis, const importer::GraphEvidence& evidence) {
   constexpr double level_px = 1.5;
   const auto& corners = evidence.frame.corners;

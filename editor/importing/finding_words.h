@@ -23,7 +23,7 @@ Advice adviceFor(const Failure& failure, const QString& documentName, const Disp
 Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
                  const DisplayUnits& units = modelUnits);
 
-/// Returns true if the dialogue has a control for it.
+/// Returns true if the dialogue has a control for this remedy.
 bool isCorrection(RemedyKind kind);
 /// The corrections among remedies, for which the dialogue has a control, in their order.
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies);

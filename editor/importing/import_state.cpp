@@ -81,7 +81,7 @@ importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evide
 
 bool fallsOnPage(GraphAxis axis, const importer::GraphEvidence& evidence) {
   const auto& m = evidence.view.viewToPage.m;
-  if (m[0] * m[4] - m[1] * m[3] >= 0) return false;  // not seen in a mirror
+  if (m[0] * m[4] - m[1] * m[3] >= 0) return false;  // the view is not mirrored
   return axis == GraphAxis::x ? m[0] < 0 : m[4] < 0;
 }
 

@@ -93,7 +93,7 @@ std::vector<ValuesModel::Row> ValuesModel::rowsNow() const {
   return rows;
 }
 
-// Waits during a drag, which belongs to the canvas; such numbers change faster than one can read.
+// Updates only now and then during a drag, whose numbers change faster than a user can read.
 void ValuesModel::followSoon() {
   if (!document_.history().dragging()) return follow();
   if (!pause_.isActive()) pause_.start();

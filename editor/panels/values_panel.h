@@ -35,7 +35,7 @@ class ValuesPanel : public QWidget {
 
  private:
   void showRefusal(const QModelIndex& index, const QString& why);
-  void layOut();  ///< headings over the whole width, columns as wide as their contents
+  void layOut();  ///< makes headings as wide as the table, and columns as wide as their contents
   int widthOf(int column) const;
   void giveRoomToNames();
 

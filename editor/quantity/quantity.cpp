@@ -73,7 +73,7 @@ QString doubtOfShare(const QString& text, double share, const DisplayUnits& unit
       .arg(typedText, quantityWithUnit(share / percent, Quantity::share, units));
 }
 
-// Of a button: a finger's force, the travel of the longest lever switches.
+// Limits of a button: the force of a finger, and the travel of the longest lever switches.
 constexpr double mostForce_N = 20, mostTravel_mm = 30;
 // Usual values of buttons: in this range another unit is proposed.
 constexpr double usualForce_N[] = {0.05, 10}, usualTravel_mm[] = {0.1, 10};

@@ -40,7 +40,7 @@ CurvePoint GraphDrag::wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modi
                                   CanvasFeedback& feedback) const {
   CurvePoint wanted{pointer.displacement_mm - grabOffset_.displacement_mm,
                     pointer.force_N - grabOffset_.force_N};
-  if (modifiers & Qt::ShiftModifier) {  // along the axis of the longer way
+  if (modifiers & Qt::ShiftModifier) {  // moves only along one axis, that of the longer distance
     const PlotMapping map = canvas_.mapping();
     const double dx = std::abs(wanted.displacement_mm - task_->from.displacement_mm) * map.pxPerX;
     const double dy = std::abs(wanted.force_N - task_->from.force_N) * map.pxPerY;
@@ -91,7 +91,8 @@ Result<Button> GraphDrag::edited(CurvePoint to) const {
   return next ? history.ruled(*next) : next;
 }
 
-// The farthest allowed place from one point to another, itself allowed or `from`; a little before the limit.
+// The farthest allowed point on the line from `from` to `to`, a little before the limit; `from` if no other
+// point is allowed.
 CurvePoint GraphDrag::farthest(CurvePoint from, CurvePoint to) const {
   const auto at = [&](double share) {
     return CurvePoint{from.displacement_mm + share * (to.displacement_mm - from.displacement_mm),

@@ -26,7 +26,7 @@ GraphStretch stretchOfMarks(const std::vector<MarkId>& marks, const ButtonState&
 /// A header and a line per knot, in mm, N and N/mm with decimal points, whatever the locale and the shown
 /// units; numbers come back bit for bit.
 QString textOf(const GraphStretch& stretch);
-/// nullopt for any other text.
+/// The stretch that textOf() wrote; nullopt for any other text.
 std::optional<GraphStretch> stretchFrom(const QString& text);
 
 /// Replaces the same range of the strokes that the stretch has. Refused for a missing release.

@@ -66,7 +66,7 @@ bool bend(std::array<BentSlope, 2>& slopes, double by_N) {
       s.slope = to;
     }
     by_N -= done_N;
-    // A slope at its limit leaves the rest of the change to the other one.
+    // If one slope has reached its limit, the other slope takes the rest of the change.
     for (BentSlope& s : slopes)
       if (by_N * s.weight > 0 ? s.slope == s.most : s.slope == s.least) s.weight = 0;
     if (by_N == 0 || (slopes[0].weight == 0 && slopes[1].weight == 0)) break;

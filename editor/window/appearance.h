@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Light, dark, or as the system says.
+// The program's colours: light, dark, or like the system's.
 
 #include <QPalette>
 

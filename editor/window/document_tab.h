@@ -32,7 +32,7 @@ class DocumentTab : public QWidget {
   QWidget* annotationsPanel();
 
  signals:
-  /// Numbers are to be typed in the inspector.
+  /// The user wants to type numbers in the inspector.
   void inspectorWanted();
   /// An earlier version is to be opened as a button of its own.
   void versionOpened(const detent::Button& version);

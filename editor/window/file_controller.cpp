@@ -245,7 +245,7 @@ bool FileController::saveAs(DocumentTab& tab) {
       at_.prompts.fileToSave(&at_.window, tr("Save as"), suggested, tr("Buttons") + " (*.button.json)");
   if (chosen.isEmpty()) return false;
   const QString path = withButtonEnding(QFileInfo(chosen).absoluteFilePath());
-  // The dialogue confirmed the name it saw, not the one with the ending.
+  // The dialogue's question was about the typed name, not about that name with its ending.
   if (path != QFileInfo(chosen).absoluteFilePath() && QFileInfo::exists(path) &&
       !at_.prompts.confirm(&at_.window, tr("%1 exists already.").arg(shownPath(path)), tr("Replace it")))
     return false;

@@ -31,13 +31,13 @@ class FileController : public QObject {
   void newButton();
   void openByDialog();
   void importByDialog();
-  /// Many sheets at once, in a window beside this one.
+  /// Imports many sheets at once, in a window beside this one.
   void importMany();
-  /// A datasheet that comes with the program.
+  /// Imports the datasheet that comes with the program.
   void importSample();
-  /// Buttons in tabs, sheets one after the other in the import dialogue.
+  /// Opens buttons in tabs, and sheets one after the other in the import dialogue.
   void open(const QStringList& paths);
-  /// A button file; null if it cannot be opened (said).
+  /// Opens a button file in a tab; null if it cannot be opened, which is reported.
   DocumentTab* openButton(const QString& path);
   /// Opens files or a picture from the clipboard or a drop; returns false if there is nothing usable.
   bool take(const QMimeData& data);
@@ -48,10 +48,10 @@ class FileController : public QObject {
   bool saveAs(DocumentTab& tab);
   bool saveAll();
   bool close(DocumentTab& tab);
-  /// Before the program ends: one question for all.
+  /// Closes all tabs before the program ends, with one question about all unsaved changes.
   bool closeAll();
 
-  /// Says what dead editors left, buttons and imports, with a choice; nothing if they left nothing.
+  /// Offers the buttons and imports that crashed editors left; does nothing if there are none.
   void offerRecovery();
 
  signals:

@@ -65,7 +65,7 @@ QJsonArray actionsJson(const QMenu& menu) {
   return all;
 }
 
-// Cells of a table: what stands where.
+// The visible cells of a table: row, column, text and rectangle.
 QJsonArray cellsJson(const QTableView& table) {
   QJsonArray all;
   const QAbstractItemModel* model = table.model();

@@ -241,7 +241,7 @@ void MagneticDialog::drawCurves(const std::vector<KeyEvent>& events) {
 void MagneticDialog::drawMovement(const std::vector<KeyEvent>& events) {
   const GraphColors colors = graphColors(isDark(plot_->palette()));
   QCPAxis *x = movement_->axis(QCPAxis::atBottom), *y = movement_->axis(QCPAxis::atLeft);
-  std::vector<KeyEvent> points = events;  // and the turns, where nothing changes
+  std::vector<KeyEvent> points = events;  // later also the turns, at which the key does not switch
   const std::vector<double> turns = turns_mm();
   double path_mm = 0;
   for (std::size_t i = 0; i < turns.size(); ++i) {

@@ -700,7 +700,7 @@ void MainWindow::restoreWindow() {
     library_->setFolder(folder);
 }
 
-// Docks take the widths they are given only in a window that has its own.
+// The widths of docks can only be set when the window has its own size.
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!docksAreNew_) return;
@@ -723,7 +723,7 @@ void MainWindow::keepInspectorWidth() {
     if (!dock->isFloating() && !dock->visibleRegion().isEmpty()) inspector_px_ = dock->width();
 }
 
-// As at the first start, whatever view is shown.
+// Arranges the docks as at the first start, whatever view is shown.
 void MainWindow::resetLayout() {
   const bool away = docksAway_;
   putDocksAway(false);
@@ -796,8 +796,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (files_->take(*event->mimeData())) event->acceptProposedAction();
 }
 
-// Text of ours goes where it belongs: a stretch into the graph shown, a button
-// into a tab of its own.
+// Pastes text that Detent has copied: a stretch into the shown graph, a button into a new tab.
 bool MainWindow::pasteText(const QString& text) {
   if (const auto stretch = stretchFrom(text); stretch && tabs_->current()) {
     tabs_->current()->workspace().paste(*stretch);

@@ -91,7 +91,7 @@ void SheetController::openImported(const QString& path, const Button& button) {
   bringPageBack(at_.tabs.add(std::move(document)).document());
 }
 
-// ---- what a hand corrected
+// ---- corrections by hand
 
 // Stores the draft within two seconds, like changes of a document.
 void SheetController::keepDraft() {

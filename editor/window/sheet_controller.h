@@ -25,7 +25,7 @@ class SheetController : public QObject {
   ~SheetController() override;
 
   void importFiles(const QStringList& paths);
-  /// One graph of a sheet, selected in the import dialogue.
+  /// Opens a sheet in the import dialogue and selects one of its graphs.
   void importGraph(const QString& path, GraphId graph);
   void importPicture(const QImage& picture);
   /// Opens a button that was imported elsewhere from this sheet in a tab with its page, as unsaved work.

@@ -55,7 +55,7 @@ struct AxisReading {
 struct SheetBend {
   Point middle_px;
   double half_px = 1;             ///< half of the picture's size, > 0
-  std::array<double, 3> depth{};  ///< of xx, xy, yy; all 0: nothing bends
+  std::array<double, 3> depth{};  ///< coefficients of xx, xy, yy; all 0: no bend
   Point from;                     ///< the negated position of the centre that points move away from
   Point straightened(Point view_px) const;
   /// The inverse map, from straightened to bent pixels. Accurate for bends far smaller than the sheet.
@@ -92,8 +92,8 @@ struct SeenText {
   double angle_deg = 0;
 };
 
-/// The numbers at the right edge of the plot frame, where they are more than the left scale in another unit
-/// of force.
+/// Meaning of the numbers at the right edge of the plot frame. `none` also if they only repeat the left scale
+/// in another unit of force.
 enum class RightScale {
   none,
   other,       ///< a scale of something other than force, or one without a title

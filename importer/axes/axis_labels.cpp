@@ -411,7 +411,7 @@ std::vector<Box> rightLabelWords(const std::vector<Box>& glyphs) {
 /// a minus sign.
 std::vector<Box> withoutTicksBefore(std::vector<Box> glyphs, const LabelRow& column) {
   constexpr std::size_t fewest = 3;
-  constexpr double same_px = 1.5, low = 0.3, shorter = 0.4;  // px; of a number's height
+  constexpr double same_px = 1.5, low = 0.3, shorter = 0.4;  // px; shares of a number's height
   std::vector<Box> firsts;
   for (const Box& word : column.words) {
     const auto first =

@@ -25,7 +25,7 @@ struct AxisLabels {
   int numbers() const;  ///< how many words can be read as numbers
 };
 
-/// "20gf" -> "20" and "gf"; no digits in front: nothing.
+/// Splits a text behind its leading number: "20gf" becomes "20" and "gf".
 std::pair<std::string, std::string> numberAndSuffix(const std::string& text);
 
 /// The tick labels, each extended by the letters that follow it on its line, in the same order. Labels that

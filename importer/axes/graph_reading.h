@@ -40,7 +40,7 @@ class GraphReading {
   std::vector<SeenText> readLinesOfParts(const Box& region, double angle_deg, Point towards,
                                          std::size_t atMost);
 
-  /// Excludes labels that were read from all further lines of writing.
+  /// Leaves labels that were already read out of all further lines of writing.
   void setAside(const std::vector<Box>& words);
 
   /// The document's own texts whose middle lies in the region.

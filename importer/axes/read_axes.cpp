@@ -191,7 +191,7 @@ double printedShare(const AxisLabels& labels) {
 /// Plausibility of the agreeing labels' values: scales count in multiples of their step and usually begin
 /// near zero. 48, 68 and 88 among other labels, or 6.1 to 6.3 alone, are digits misread in the same way.
 double usualOf(const AxisLabels& labels, int readable) {
-  constexpr double misreadAlike = 0.4, farFromZero = 5;  // the second in spans of the labels
+  constexpr double misreadAlike = 0.4, farFromZero = 5;  // plausibility; in spans of the labels
   const Progression& p = *labels.progression;
   double low = HUGE_VAL, high = -HUGE_VAL, offStep = 0;
   for (std::size_t i = 0; i < p.reading.size(); ++i) {

@@ -248,8 +248,8 @@ class ChainProblem {
   double robustScale_;
   std::vector<AssignedPoint> points_;
   std::vector<Footpoint> nearest_;    // footpoint of each point, on the chain evaluated last
-  std::vector<WeakPlace> weak_;       // of each moving knot
-  std::vector<StayWithPoints> stay_;  // of each moving knot
+  std::vector<WeakPlace> weak_;       // for each moving knot
+  std::vector<StayWithPoints> stay_;  // for each moving knot
   std::vector<std::size_t> free_;
 };
 

@@ -42,7 +42,8 @@ int atLines(const std::vector<double>& positions, const std::vector<double>& lin
 /// Returns true for up to six characters of legible height; lower marks are remains of ticks. Letters of
 /// small pictures are low too.
 bool couldBeRowNumber(const Box& word, double frameHeight_px) {
-  constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;  // height of a digit, px and of the frame's height
+  // least height of a digit: in px, and as a share of the frame's height
+  constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;
   return word.height() >= std::min(lowest_px, lowestOfFrame * frameHeight_px) &&
          word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
 }

@@ -39,8 +39,8 @@ struct PlotFrame {
 struct FrameCandidate {
   Box pageBox;  ///< around the frame, in page units
   Homography
-      levelToPage;  ///< of a tilted picture: map from the levelled page, where the frame is upright, to the
-                    ///< page
+      levelToPage;  ///< map to the page from the levelled page, on which the frame of a tilted picture is
+                    ///< upright
   Box uprightBox;   ///< the frame on the levelled page; pageBox without tilt
   Box regionBox;    ///< frame with tick labels, titles and legend, on the levelled page
   int quarterTurns = 0;             ///< clockwise turns that make it upright

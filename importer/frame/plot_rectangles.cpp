@@ -16,7 +16,7 @@ constexpr int maxPositions = 60;      // per direction and group; plots have few
 constexpr std::size_t maxRectanglesPerGroup = 10;
 constexpr double minScore = 4;  // two drawn edges, and lines that end at the rectangle
 constexpr double mostScore =
-    1 + 4 * 1.5 + 0.08 * 16 + 3;       // corner, edges, grid, share inside; nothing beyond the rectangle
+    1 + 4 * 1.5 + 0.08 * 16 + 3;       // corner, edges, grid, share inside; no line continues beyond
 constexpr double minEdgeCover = 0.55;  // share of the edge's length
 
 struct Group {

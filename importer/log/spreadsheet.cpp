@@ -215,7 +215,7 @@ Table tableOfXlsx(const pugi::xml_node& worksheet, const std::vector<std::string
   long number = 0;
   for (const pugi::xml_node row : worksheet.child("sheetData").children("row")) {
     const long given = static_cast<long>(row.attribute("r").as_llong(number + 1));
-    if (given > number + 1 && number > 0) rows.beginRow(number + 1), rows.endRow();  // blank rows part blocks
+    if (given > number + 1 && number > 0) rows.beginRow(number + 1), rows.endRow();  // separates the blocks
     number = given;
     rows.beginRow(number);
     std::size_t column = 0;

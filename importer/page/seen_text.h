@@ -18,7 +18,7 @@ namespace detent::importer {
 struct SetLetter {
   int unicode = 0;
   float x = 0, y = 0;  ///< start on the baseline, exactly as MuPDF reports it
-  Box box;             ///< advance by height of the font
+  Box box;             ///< as wide as the advance, as high as the font
   double size = 0;     ///< height of the font
   double advance = 0;
   Rgb color;

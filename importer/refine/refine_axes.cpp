@@ -189,7 +189,7 @@ SheetCovariance SheetProblem::covariance(int lines) {
   SheetCovariance covariance{};
   ceres::Problem::EvaluateOptions options;
   std::vector<double*> blocks;
-  std::vector<int> at;  // index in SheetUnknowns::at of each leading column
+  std::vector<int> at;  // indices in SheetUnknowns::at of the first columns, those of map and bend
   if (!problem_.IsParameterBlockConstant(map())) {
     blocks.push_back(map());
     for (int k = 0; k < mapUnknowns; ++k) at.push_back(k);

@@ -485,7 +485,7 @@ double Ticks::at(int i) const {
 Ticks niceTicks(double low, double high, int aboutSteps) {
   DETENT_CHECK(std::isfinite(low) && std::isfinite(high) && low <= high && aboutSteps >= 2, "a finite range");
   if (!(high > low)) high = low == 0 ? 1 : low + std::abs(low);
-  // Smallest range whose step keeps its digits.
+  // With a smaller range, a double could not hold all digits of the step.
   constexpr double narrowest = 1e-290;
   if (high - low < narrowest)
     high = low + std::max(narrowest, std::abs(low) * std::numeric_limits<double>::epsilon());

@@ -35,7 +35,7 @@ class Binding {
       const auto [along, pressing] = directions(across);
       const double gain = along.dot(normal);
       const bool free = gain > dependent * across.dot(normal);
-      if (!free && slack >= -violated) return true;  // the others imply it
+      if (!free && slack >= -violated) return true;  // the active rules imply this one
       const double whole = free ? -slack / gain : infinity;
       const auto [first, limit] = firstToLetGo(pressing);
       const double step = std::min(whole, limit);

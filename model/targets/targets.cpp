@@ -16,7 +16,7 @@ namespace detent {
 namespace {
 
 constexpr int mostSteps = 40;
-constexpr int stepsOnceMet = 3;         // towards the least cost, after the figures are met
+constexpr int stepsOnceMet = 3;         // steps towards the least cost, after the figures are met
 constexpr double difference = 1e-6;     // step of an unknown for numeric slopes of figures
 constexpr double noSlope = 1e-6;        // smaller numeric slopes are rounding
 constexpr double settled = 1e-5;        // an unknown that moves by less has converged

@@ -99,8 +99,10 @@ void addIntegrals(const std::vector<double>& knots_mm, double x_mm, double* out)
 /// A record as sample-by-sample columns for the fit.
 struct Samples {
   std::vector<double> knots_mm;
-  Eigen::MatrixXd spring_mm;  ///< force of a stiffness of 1 at each knot (N)
-  /// momentum that a damping of 1 at each knot has taken so far; its rate of change is the force
+  /// by sample and knot: factor of the knot's stiffness (N/mm) in the force (N)
+  Eigen::MatrixXd spring_mm;
+  /// by sample and knot: factor of the knot's damping in the momentum that the damping has taken so far. The
+  /// force of the damping is the rate of change of that momentum.
   Eigen::MatrixXd way_mm;
   Eigen::VectorXd place_mm, force_N;
   /// -1 to 1; zero for slow samples, because static friction may then have any value up to its maximum

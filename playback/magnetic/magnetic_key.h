@@ -37,7 +37,8 @@ struct MagneticKeySettings {
   double travel_mm = std::numeric_limits<double>::infinity();
   double scan_s = 0.001;  ///< > 0
 
-  /// Returns true if the header and JSON need more than one distance for both directions.
+  /// Returns true if the settings are more than one distance of the rapid trigger for both directions. The C
+  /// header and the JSON then have further fields.
   bool beyondOneDistance() const {
     return topDeadZone_mm > 0 || bottomDeadZone_mm > 0 ||
            (rapid && (rapid->continuous || rapid->press_mm != rapid->release_mm));

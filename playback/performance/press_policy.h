@@ -38,7 +38,7 @@ struct PressPlan {
   double timePerCorrectPress_s = 0;
 };
 
-/// Standard deviation of the amplitudes of a finger that intends one, N.
+/// Standard deviation (N) of the amplitudes of a finger whose intended amplitude is `amplitude_N`.
 double amplitudeSpread_N(const Finger& finger, double amplitude_N);
 
 /// Empty if no allowed command activates the contact, or if none fits the period.

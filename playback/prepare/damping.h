@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A button's damping b(x) as a polyline, with what force law and stability need of it.
+// A button's damping b(x) as a polyline, with the values that the force law and the stability limits need.
 
 #include <vector>
 

@@ -136,7 +136,7 @@ class ForceGuard {
   bool interrupted_ = false;  ///< the force ended because readings failed or the loop stood still
   ForceHalt latched_ = ForceHalt::none;
   double time_s_ = 0;                              ///< since the start
-  std::array<double, mostDropOuts> dropOuts_s_{};  ///< the most recent ones, as a ring buffer
+  std::array<double, mostDropOuts> dropOuts_s_{};  ///< times of the most recent drop-outs, as a ring buffer
   double elapsed_s_ = 0;                           ///< time between the last two judgements
   double uncounted_s_ = 0;                         ///< time under force without a step of the encoder
   double believed_ = 1;     ///< 1..0: share of the force while the encoder does not count

@@ -26,7 +26,7 @@ class SoundChain {
 
   /// Silences the chain and sets it up for a program.
   void use(const HapticProgram& program, double sampleRate_Hz);
-  /// Silent at once.
+  /// Silences the chain at once.
   void stop();
 
   void startGrain(const Burst& burst);

@@ -24,7 +24,7 @@ PressMarks placeMarks(const StateProgram& state);
 /// whole travel at the strongest force. At a jump of the button, the finger does not jump.
 PressMarks forceMarks(const StateProgram& state);
 
-/// Predicts the speed of a press from the distance so far, by the marks of the graph in front. Callback
+/// Predicts the speed of a press from the distance so far, by the marks of LiveProgram::program. Callback
 /// thread; no allocation.
 class PressPace {
  public:

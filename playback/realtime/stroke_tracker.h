@@ -29,10 +29,10 @@ struct Crossing {
   std::uint8_t state = 0;  ///< state of the button in which the event happened
   /// number of grains merged into this one (only if more were crossed than are kept separately)
   std::uint32_t count = 1;
-  /// its time as a share of the interval between the two readings, 0..1, never decreasing
+  /// time of the event as a share of the interval between the two readings, 0..1, never decreasing
   double fraction = 1;
   double displacement_mm = 0;
-  double level = 1;  ///< level of a grain: that of its slope
+  double level = 1;  ///< for a grain: level of its slope
 };
 
 /// All crossings of one reading. Fixed size; owned by the tracker.

@@ -39,7 +39,7 @@ class TestForces {
   int sense_ = 1;            ///< direction of the push, as in `direction_`
   bool counted_ = false;     ///< the encoder has counted
   int strongest_ = 0;        ///< number of pushes with the full force
-  double relay_N_ = 0;       ///< strength; increases from push to push until the handle moves
+  double relay_N_ = 0;       ///< strength of a push; increases from push to push until the handle moves
   int direction_ = 1;        ///< 1: towards growing displacement
   std::uint32_t turns_ = 0;  ///< number of turns since the handle moves
   double fastest_mm_per_s_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Debian's archives are compiled for programs: they take stdout and stderr for objects of their own file. In
-// a shared library there must be such objects; these are seen by nobody else and are the C library's before
-// anything runs.
+// Debian's static libraries are compiled for programs, in which stdin, stdout and stderr are objects of the
+// program itself. A shared library must therefore define such objects. The ones here are hidden from other
+// files, and get the C library's values before any other code runs.
 #include <dlfcn.h>
 
 extern "C" {  // pointers, of whatever type

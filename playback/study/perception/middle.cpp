@@ -98,10 +98,10 @@ Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
   MiddleSearch search(from, to, perception, confusion, cancelled);
   if (auto failure = search.begin()) return std::move(*failure);
   if (const auto half = search.imbalanceAt(0.5); !half) return half.failure();
-  // number of places. The forecast jumps by whole grains, so the halves may be equal in several places, or in
-  // none
+  // number of stretches that are searched: the forecast jumps by whole grains, so the halves may be equal in
+  // several places, or in none
   constexpr int stretches = 32;
-  double before = -1;  // at `from` itself
+  double before = -1;  // imbalance at the previous place; -1 for `from` itself
   for (int i = 1; i <= stretches && !search.closeEnough(); ++i) {
     const auto here = i == stretches ? Result<double>(1) : search.imbalanceAt(double(i) / stretches);
     if (!here) return here.failure();

@@ -224,8 +224,8 @@ PlaybackSettings raised(PlaybackSettings settings, LevelQuantity quantity, doubl
 /// the edit.
 Result<Done> addLevel(Study& study, std::size_t reference, double increase);
 
-/// Adds the usual levels: increases from a hundredth to the double, twelve per decade, as far as the button
-/// can be changed and the vibration stays below full scale. Failure wrongUsage names a button with too few
+/// Adds the usual levels: increases from 1 % to 100 %, twelve per decade, as far as the button can be changed
+/// and the vibration stays below full scale. Failure wrongUsage names a button with too few
 /// such levels.
 Result<Done> addUsualLevels(Study& study);
 

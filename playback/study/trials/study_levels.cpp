@@ -14,7 +14,7 @@ namespace {
 constexpr int levelsPerDecade = 12, decades = 2;
 constexpr double smallestIncrease = 0.01;
 constexpr double eventHeadroom =
-    0.5;  // strong jumps are near full scale; half of it leaves room for the double
+    0.5;  // strong jumps are near full scale; at half of it there is room for twice the strength
 constexpr std::size_t fewestLevels =
     13;  // up to a tenth: a shorter range might end below the threshold of everybody
 
