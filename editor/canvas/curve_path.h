@@ -16,7 +16,7 @@ inline constexpr double offscreenMargin_px = 64;
 /// The visible part of a curve, cut into polylines that stay inside it. Straight lines between their points
 /// are within `tolerance_px` (> 0) of the curve. Cost: number of knots and shown pixels.
 std::vector<QPolygonF> curvePolylines(const StrokeCurve& curve, const PlotMapping& map,
-                                      double tolerance_px = 0.1);
+                                      double tolerance_px = 0.2);
 
 /// The same for points joined by straight lines (damping, traced points), in plot coordinates.
 std::vector<QPolygonF> clippedPolylines(const QPolygonF& points_px, const QRectF& clip_px);

@@ -121,8 +121,8 @@ void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   drawStrokes(painter, map, graph, [&](Stroke stroke) {
     const bool has = stroke == Stroke::press || scene.state.graph.release();
     if (has && graph.curve(stroke) == scene.state.graph.curve(stroke)) return QPen(Qt::NoPen);
-    QPen pen = strokePen(stroke, scene.colors, 1.5);
-    pen.setColor(withAlpha(pen.color(), 0.4));
+    QPen pen = strokePen(stroke, scene.colors, 1);  // Qt draws wider translucent lines 18 times as slowly
+    pen.setColor(withAlpha(pen.color(), 0.6));
     return pen;
   });
 }
@@ -354,8 +354,9 @@ int pointsIn(const QRectF& box, const std::vector<QPointF>& points_px) {
 /// possible beside the strokes, and is left out if no place near is free.
 class Tags {
  public:
-  Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene)
-      : painter_(painter), map_(map), scene_(scene), strokes_px_(strokePoints_px(map, scene)) {}
+  Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+       const std::vector<QPointF>& strokes_px)
+      : painter_(painter), map_(map), scene_(scene), strokes_px_(strokes_px) {}
 
   void keepClear(const QRectF& box) { taken_.push_back(box); }
   void keepClear(QPointF mark_px, double half_px) {
@@ -386,7 +387,7 @@ class Tags {
     for (const double lines : {0, 1, -1, 2, -2, 3, -3})
       for (const double sideways : {0, 1, -1, 2, -2})
         offsets.emplace_back(sideways * (size.width() / 2 + 2 * tactileMark_px), lines * size.height());
-    std::ranges::stable_sort(offsets, {}, [](QPointF away) { return std::hypot(away.x(), away.y()); });
+    std::ranges::stable_sort(offsets, {}, [](QPointF away) { return QPointF::dotProduct(away, away); });
     return offsets;
   }
   bool free(const QRectF& box) const {
@@ -397,7 +398,7 @@ class Tags {
   QPainter& painter_;
   const PlotMapping& map_;
   const GraphScene& scene_;
-  std::vector<QPointF> strokes_px_;
+  const std::vector<QPointF>& strokes_px_;
   std::vector<QRectF> taken_;
 };
 
@@ -555,8 +556,8 @@ std::vector<LegendEntry> legendOf(const GraphScene& scene) {
 }
 
 /// The box in the corner that covers the fewest points of the strokes.
-QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphScene& scene,
-                 const std::vector<LegendEntry>& entries) {
+QRectF legendBox(const QPainter& painter, const PlotMapping& map, const std::vector<LegendEntry>& entries,
+                 const std::vector<QPointF>& strokes_px) {
   const QFontMetricsF metrics(painter.font());
   double text_px = 0;
   for (const LegendEntry& entry : entries) text_px = std::max(text_px, metrics.horizontalAdvance(entry.name));
@@ -565,7 +566,6 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphSce
   const QRectF within = map.clip_px.adjusted(legendGap_px.width(), legendGap_px.height(),
                                              -legendGap_px.width(), -legendGap_px.height());
   box.moveTopLeft(within.topLeft());
-  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
   QRectF best = box;
   int least = pointsIn(box, strokes_px);
   const auto move = [&](void (QRectF::*to)(const QPointF&), const QPointF& corner) {
@@ -581,8 +581,9 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const GraphSce
 // Forces are tagged first, because they belong beside their points; a contact's name may be anywhere on its
 // line.
 void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
-               const std::vector<Contact>& contacts) {
-  Tags tags(painter, map, scene);
+               const std::vector<Contact>& contacts, const std::vector<QPointF>& strokes_px,
+               const std::optional<QRectF>& legend) {
+  Tags tags(painter, map, scene, strokes_px);
   const auto press = tactilePointsIn(map, scene, Stroke::press);
   const auto release = tactilePointsIn(map, scene, Stroke::release);
   const bool legible = press.size() + release.size() <= fewKnots;
@@ -591,8 +592,7 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
       for (const TactilePoint& point : *points)
         tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
   for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
-  if (const auto entries = legendOf(scene); !entries.empty())
-    tags.keepClear(legendBox(painter, map, scene, entries));
+  if (legend) tags.keepClear(*legend);
   if (legible) {
     if (scene.state.graph.release()) tagTactilePoints(tags, map, scene, Stroke::release);
     tagTactilePoints(tags, map, scene, Stroke::press);
@@ -660,7 +660,8 @@ void paintHighlight(QPainter& painter, const PlotMapping& map, const GraphScene&
   painter.drawEllipse(pixelOf(map, *at), 10, 10);
 }
 
-void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                const std::vector<QPointF>& strokes_px, const std::optional<QRectF>& legend) {
   const ButtonState& state = scene.state;
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
     if (stroke == Stroke::release && !state.graph.release()) continue;
@@ -673,7 +674,7 @@ void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   for (const Contact& contact : contacts) paintContact(painter, map, scene, contact);
   for (const Stroke stroke : {Stroke::release, Stroke::press})
     if (stroke == Stroke::press || state.graph.release()) paintTactilePoints(painter, map, scene, stroke);
-  paintTags(painter, map, scene, contacts);
+  paintTags(painter, map, scene, contacts, strokes_px, legend);
 }
 
 // ---- feedback
@@ -868,14 +869,15 @@ void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   }
 }
 
-// Names the line styles; nothing for a single stroke.
-void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+// Names the line styles and returns the box of the names; draws nothing for a single stroke.
+std::optional<QRectF> paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                                  const std::vector<QPointF>& strokes_px) {
   const std::vector<LegendEntry> entries = legendOf(scene);
-  if (entries.empty()) return;
+  if (entries.empty()) return {};
   const QFontMetricsF metrics(painter.font());
   painter.setPen(Qt::NoPen);
   painter.setBrush(withAlpha(scene.colors.background, 0.85));
-  const QRectF box = legendBox(painter, map, scene, entries);
+  const QRectF box = legendBox(painter, map, entries, strokes_px);
   painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 3, 3);
   QPointF at = box.topLeft() + QPointF(0, metrics.height() / 2 + 1);
   for (const LegendEntry& entry : entries) {
@@ -885,6 +887,7 @@ void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& sc
     painter.drawText(at + QPointF(legendText_px, metrics.ascent() / 2 - 1), entry.name);
     at += QPointF(0, metrics.height() + 2);
   }
+  return box;
 }
 
 }  // namespace
@@ -939,9 +942,10 @@ void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
-  paintLegend(painter, map, scene);
+  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
+  const std::optional<QRectF> legend = paintLegend(painter, map, scene, strokes_px);
   paintSpeedLabels(painter, map, scene);
-  paintMarks(painter, map, scene);
+  paintMarks(painter, map, scene, strokes_px, legend);
   paintFeedback(painter, map, scene);
   if (scene.finger) paintFinger(painter, map, scene);
   painter.restore();
