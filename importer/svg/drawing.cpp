@@ -144,6 +144,24 @@ double scaleOf(std::string_view transform) {
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 
+/// Declarations that fill an element with the colour of a background, or not at all if it states none.
+/// The renderer keeps the last value that it can read; a background also states positions ("0 0").
+std::string backgroundFill(std::string_view background) {
+  constexpr std::array<std::string_view, 5> colourless{"none", "inherit", "initial", "unset", "revert"};
+  std::string fill = "fill:none", word;
+  int depth = 0;
+  for (const char c : std::string(background) + " ") {
+    depth += (c == '(') - (c == ')');
+    if (depth > 0 || !(isBlank(c) || c == ',')) {
+      word += c;
+      continue;
+    }
+    if (std::ranges::find(colourless, word) == colourless.end()) fill += ";fill:" + word;
+    word.clear();
+  }
+  return fill;
+}
+
 class Reader {
  public:
   Reader(xmlDoc* document, Drawing& drawing, const std::function<bool(char32_t)>& hasFont)
@@ -191,7 +209,7 @@ class Reader {
                                       {"width", "100%"},
                                       {"height", "100%"},
                                       {"stroke", "none"},
-                                      {"style", "fill:" + color}})
+                                      {"style", backgroundFill(color)}})
       xmlNewProp(page, xmlText(name), xmlText(value));
     if (root->children != nullptr)
       xmlAddPrevSibling(root->children, page);

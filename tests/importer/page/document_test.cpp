@@ -641,6 +641,28 @@ TEST_CASE("the background of an SVG's root fills its page") {
   CHECK(opened.page.paths[0].box.width() == Approx(200).margin(0.1));
 }
 
+TEST_CASE("the background of an SVG's root is a colour only if it states one") {
+  const auto pageFill = [](const std::string& background) {
+    const auto opened = open(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='100' style='background:" + background +
+            "'><path fill='none' stroke='red' d='M1 2L30 40'/></svg>",
+        "plot.svg");
+    for (const auto& path : opened.page.paths)
+      if (path.fill) return path.fill;
+    return std::optional<Rgb>();
+  };
+  for (const char* const colourless :
+       {"0 0", "none", "initial", "transparent", "linear-gradient(red, blue)"}) {
+    INFO(colourless);
+    CHECK_FALSE(pageFill(colourless).has_value());
+  }
+  for (const char* const coloured :
+       {"#204060 no-repeat 0 0", "none,rgb(32, 64, 96)", "0 0/9px #204060 none"}) {
+    INFO(coloured);
+    CHECK(pageFill(coloured) == Rgb{32, 64, 96});
+  }
+}
+
 TEST_CASE("text of an SVG stands on the baseline that it names") {
   const auto top = [](const std::string& attributes) {
     const auto opened = open("<svg xmlns='http://www.w3.org/2000/svg' width='200' height='100'><g " +
