@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "playback/prepare/loop_limit.h"
 #include "playback/prepare/stability.h"
 
 namespace detent::playback {
@@ -59,8 +60,8 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
   const Message bears("bears %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
   if (least.bound == StabilityBound::quantisation) {
     const double spared_N_per_mm = spareOfRemedy * needed_N_per_mm;
-    const double friction_N = rounded(spared_N_per_mm * device.step_mm / 2, 2),
-                 step_mm = rounded(2 * device.friction_N / spared_N_per_mm, 2);
+    const double friction_N = rounded(spared_N_per_mm * device.step_mm / heldByFriction, 2),
+                 step_mm = rounded(heldByFriction * device.friction_N / spared_N_per_mm, 2);
     return {FailureCode::deviceTrouble, device.name, "", bears,
             step_mm >= finestEncoder_mm
                 ? Message("Friction of %1 N or an encoder step of %2 mm would carry it", friction_N, step_mm)

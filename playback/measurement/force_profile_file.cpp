@@ -51,6 +51,7 @@ ForceDeviceProfile measuredProfile(ForceDeviceProfile profile, const ForceDevice
   profile.damping_Ns_per_mm = measured.damping_Ns_per_mm.value;
   profile.delay_s = measured.delay_s.value;
   profile.lag_s = measured.lag_s.value;
+  if (measured.step_mm > 0) profile.step_mm = measured.step_mm;
   if (hosted) profile.delay_s += std::max(0.0, 1 / rate_Hz - 1 / measured.rate_Hz);
   profile.measured = true;
   return profile;

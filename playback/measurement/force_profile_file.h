@@ -22,11 +22,12 @@ struct ForceDeviceMeasurement {
   Value late_s;  ///< delay and lag together
   /// rate of the loop that measured it: if a host runs the law, the delay contains one period
   double rate_Hz = 0;
-  double step_mm = 0;  ///< step of the encoder
+  double step_mm = 0;  ///< step of the encoder; 0: not stated
 };
 
-/// A profile with the device's own mass, friction, damping, delay and lag. If a host runs the law (`hosted`)
-/// at a slower `rate_Hz` than the measurement had, the delay increases by the difference of the periods.
+/// A profile with the device's own mass, friction, damping, delay, lag and encoder step (if it is stated). If
+/// a host runs the law (`hosted`) at a slower `rate_Hz` than the measurement had, the delay increases by the
+/// difference of the periods.
 ForceDeviceProfile measuredProfile(ForceDeviceProfile profile, const ForceDeviceMeasurement& measured,
                                    double rate_Hz, bool hosted);
 

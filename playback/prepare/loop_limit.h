@@ -15,6 +15,10 @@ namespace detent::playback {
 /// largest slope; 0 if no slope is stable. `rate_Hz` > 0. Any thread; allocates; some 2 ms.
 double loopLimit_N_per_mm(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm);
 
+/// Slope times encoder step that a friction of 1 N holds: 2 for a spring (Abbott and Okamura 2005). It is
+/// less here, because prediction and damping of the law also act on each step (decision 1101).
+inline constexpr double heldByFriction = 1.4;
+
 /// The same limit over a range of damping, computed at a few values and linear between them.
 class LoopLimits {
  public:

@@ -52,7 +52,7 @@ LoopLimits limitsOf(const ButtonState& state, const ForceDeviceProfile& device, 
 MarginPoint allowedFor(const ForceDeviceProfile& device, double byLoop_N_per_mm) {
   MarginPoint p;
   p.allowed_N_per_mm = byLoop_N_per_mm;
-  const double quantisation = 2 * device.friction_N / device.step_mm;
+  const double quantisation = heldByFriction * device.friction_N / device.step_mm;
   if (quantisation < p.allowed_N_per_mm)
     p.allowed_N_per_mm = quantisation, p.bound = StabilityBound::quantisation;
   if (device.largestSlope_N_per_mm <= p.allowed_N_per_mm) {

@@ -16,7 +16,7 @@ namespace detent::playback {
 /// The reason why a slope is too steep; if there are several, the strictest one.
 enum class StabilityBound : std::uint8_t {
   damping,  ///< oscillations of the free handle would grow: the loop limit (loop_limit.h)
-  /// K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
+  /// K <= 1.4 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
   quantisation,
   device  ///< the steepest slope the device may render
 };

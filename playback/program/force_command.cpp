@@ -330,7 +330,6 @@ Result<ForcePlayerSettings> forceSettings(const ForceArguments& a) {
   settings.force = a.force;
   if (a.rate_Hz != 0) settings.force.rate_Hz = a.rate_Hz;
   settings.seconds = a.seconds;
-  a.real.applyTo(settings.device);
   settings.device.uploadTable = a.upload;
   if (!a.profileFile.empty()) {
     Result<ForceDeviceMeasurement> measured = readForceDevice(a.profileFile);
@@ -339,6 +338,7 @@ Result<ForcePlayerSettings> forceSettings(const ForceArguments& a) {
     settings.device.profile = measuredProfile(settings.device.profile, *measured, rate_Hz,
                                               settings.device.kind != ForceDeviceKind::simulated);
   }
+  a.real.applyTo(settings.device);  // what is given by hand counts more than the profile
   settings.paced = !a.fast;
   settings.holdToRun = a.holdToRun;
   settings.stopKeys = settings.stopSignals = true;

@@ -15,7 +15,7 @@ void RealDeviceOptions::applyTo(ForceDeviceChoice& device) const {
 }
 
 void addForceDeviceOptions(CLI::App& app, RealDeviceOptions& o, const char* largestForce) {
-  app.add_option("--step-mm", o.step_mm, "Encoder step at the finger in mm; 0: the preset's")
+  app.add_option("--step-mm", o.step_mm, "Encoder step at the finger in mm; 0: the profile's or preset's")
       ->capture_default_str()
       ->group(realDeviceGroup);
   app.add_option("--max-N", o.largest_N, largestForce)->group(realDeviceGroup);

@@ -31,7 +31,7 @@ constexpr double mostJumps = 2.5, jumpMemory_s = 0.05;
 
 // This many drop-outs within this time halt the force, because a force that comes and goes shakes the hand.
 constexpr double dropOutWindow_s = 1, longAgo_s = -1e9;
-// after a drop-out a handle may still move fast under the finger that pressed it
+// after a drop-out or a pause a handle may still move fast under the finger that pressed it
 constexpr double thrown_s = 0.5;
 constexpr double longestStall = 4;  // number of periods; applies if they last longer than the stall limit
 
@@ -58,7 +58,7 @@ double kinetic_mJ(double mass_kg, double speed_mm_per_s) {
 }  // namespace
 
 ForceGuard::ForceGuard(const ForceLimits& limits, double period_s, double step_mm)
-    : limits_(limits), period_s_(period_s), step_mm_(step_mm) {
+    : limits_(limits), period_s_(period_s), step_mm_(step_mm), stalledAt_s_(longAgo_s) {
   dropOuts_s_.fill(longAgo_s);
 }
 
@@ -166,6 +166,7 @@ ReadingVerdict ForceGuard::judge(double position_mm, bool fresh, double periods)
   moved_mm_ = 0;
   if (running_ && elapsed_s_ > std::max(limits_.stall_s, longestStall * period_s_)) {
     ++counts_.stalled;
+    stalledAt_s_ = time_s_;
     interrupted_ = true;
     riseAnew();
   }
@@ -230,6 +231,7 @@ void ForceGuard::rearm() {
   uncounted_s_ = 0;
   believed_ = 1;
   resisting_ = false;
+  stalledAt_s_ = longAgo_s;
   dropOuts_s_.fill(longAgo_s);
 }
 
@@ -333,8 +335,14 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
                       gained_mJ >= (whole ? gainedAtLimit : gainedBeyond) * resisted_mJ_ &&
                       (beyond_mm > 0 || gained_mJ >= leastGain_mJ);
   if (!gained && beyond_s_ < notSlowingFor_s && pinned_s_ < pinnedFor_s) return;
-  // A force that came and went has thrown the handle there.
-  latch(droppedOutLately() ? ForceHalt::dropOuts : ForceHalt::runaway);
+  // A force that came and went, or a pause, has thrown the handle there.
+  if (droppedOutLately()) {
+    latch(ForceHalt::dropOuts);
+  } else if (time_s_ - stalledAt_s_ <= thrown_s) {
+    displace();
+  } else {
+    latch(ForceHalt::runaway);
+  }
   riseAnew();  // without delay, because each millisecond of such a force adds speed
 }
 

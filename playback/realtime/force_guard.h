@@ -137,6 +137,7 @@ class ForceGuard {
   ForceHalt latched_ = ForceHalt::none;
   double time_s_ = 0;                              ///< since the start
   std::array<double, mostDropOuts> dropOuts_s_{};  ///< times of the most recent drop-outs, as a ring buffer
+  double stalledAt_s_;                             ///< end of the most recent pause of the loop
   double elapsed_s_ = 0;                           ///< time between the last two judgements
   double uncounted_s_ = 0;                         ///< time under force without a step of the encoder
   double believed_ = 1;     ///< 1..0: share of the force while the encoder does not count

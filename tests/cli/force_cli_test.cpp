@@ -67,6 +67,23 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("force: the encoder step of a device profile counts, and the one given by hand counts more") {
+  const Force force;
+  force.write("mine.device",
+              "detent-force-device 1\nmass_kg = 0.05\nfriction_N = 0.05\ndamping_Ns_per_mm = 0.001\n"
+              "delay_s = 0.001\nlag_s = 0\nrate_Hz = 1000\nstep_mm = 0.025\n");
+  std::vector<std::string> call{
+      "force",  "B.button.json", "--device",         "sim",        "--seconds", "0.1",
+      "--fast", "--json",        "--device-profile", "mine.device"};
+  const ProgramResult profile = force(call);
+  REQUIRE(profile.exitCode == 0);
+  CHECK(json::parse(profile.out)["encoder_step_mm"] == 0.025);
+  call.insert(call.end(), {"--step-mm", "0.02"});
+  const ProgramResult given = force(call);
+  REQUIRE(given.exitCode == 0);
+  CHECK(json::parse(given.out)["encoder_step_mm"] == 0.02);
+}
+
 TEST_CASE("force: the on/off button changes its state under the finger") {
   const Force force;
   const ProgramResult result = force({"force", "latch.button.json", "--device", "sim:rig", "--seconds", "4",

@@ -475,6 +475,25 @@ TEST_CASE("force1d: a table whose encoder counts no more loses its force, and sa
   }
 }
 
+TEST_CASE("force1d: an encoder that dies out of a movement has its force taken away at once") {
+  for (const BoardKind* kind : {&uno, &mega}) {
+    INFO(kind->name);
+    ForceBoard board(*kind);
+    holdAt(board, 500);
+    board.turn(50, 200);  // 50 mm/s, to the press curve
+    board.keepAsking("H", 1);
+    CHECK(board.force_N() == Approx(0.6).margin(0.03));
+    CHECK(board.untilNoForce_us(100000) < 18000);
+    CHECK(stateOf(board.keepAsking("H", 5)) == "0");
+    board.turn(1, 100);
+    board.keepAsking("H", 7);
+    CHECK(board.force_N() == Approx(0.6).margin(0.03));
+    board.turn(20, 1000);  // 10 mm/s: a hand may stop like that
+    board.keepAsking("H", 30);
+    CHECK(board.force_N() == Approx(0.62).margin(0.03));
+  }
+}
+
 TEST_CASE("force1d: a resting finger whose encoder counts one step has its force back within 30 ms") {
   for (const BoardKind* kind : {&uno, &mega}) {
     INFO(kind->name);

@@ -24,9 +24,11 @@ const uint32_t watchdog_ms = 60;        // the board resets itself when loop() s
 const int32_t fall_us = 10000;          // at too high a speed the force of the table falls to nothing within this
 const int32_t velocityFilter_us = 2000;
 // A table whose encoder counts no step for stillFor_us loses its force over probe_us, and stops after
-// uncounted_us in all; each step brings the force back within regained_us. Times of
+// uncounted_us in all; each step brings the force back within regained_us. Out of a movement of swift_um_per_s
+// and swiftSteps steps the force goes after deadStill_us already, over deadRamp_us. Figures of
 // docs/develop/decisions/1114-dead-encoders.md.
 const int32_t stillFor_us = 200000, probe_us = 110000, uncounted_us = 410000, regained_us = 20000;
+const int32_t swift_um_per_s = 30000, swiftSteps = 4, deadStill_us = 8000, deadRamp_us = 5000;
 const int32_t watchedFrom_nm = 100000;   // closer to its rest a handle may stand at its stop for ever
 const uint32_t longestAnswer_us = 5000;  // an answer that the port does not take within this is dropped
 
@@ -140,6 +142,9 @@ bool stopped, tooFast;     // stopped: by the switch, the host or a dead encoder
 bool deadEncoder;          // it stopped because the encoder counted no step under force
 int32_t gain_ppm;          // of the table's force that is let through
 int32_t still_us;          // without a step under force
+int32_t sinceStep_us;      // without a step
+int32_t moved_nm;          // since the last rest, both ways together; not counted beyond swiftSteps
+int32_t speedAtStep_um_per_s;  // when the encoder last counted
 int32_t believed_ppm;      // of the force, as far as the count is believed
 
 volatile int32_t counts;
@@ -216,13 +221,29 @@ void moveGain(int32_t step_us) {
   gain_ppm = constrain(gain_ppm, 0, 1000000);
 }
 
+// True once a movement has ended from one step to the next: a hand slows down over several.
+bool stoppedDead(int32_t way_nm, int32_t step_us) {
+  if (way_nm == 0) {
+    if (sinceStep_us < stillFor_us) sinceStep_us += step_us;
+    return sinceStep_us >= deadStill_us && moved_nm >= swiftSteps * step_nm && speedAtStep_um_per_s >= swift_um_per_s;
+  }
+  if (sinceStep_us >= deadStill_us) moved_nm = 0;
+  if (moved_nm < swiftSteps * step_nm) moved_nm += abs(way_nm);
+  speedAtStep_um_per_s = abs(velocity_um_per_s);
+  sinceStep_us = 0;
+  return false;
+}
+
 // A count that stands still is a resting finger or a dead encoder. A live one counts as soon as the force falls
 // under the finger.
-int64_t watchedForce(int64_t wanted_uN, int32_t position_nm, bool moved, int32_t step_us) {
+int64_t watchedForce(int64_t wanted_uN, int32_t position_nm, int32_t way_nm, int32_t step_us) {
+  const bool dead = stoppedDead(way_nm, step_us), moved = way_nm != 0;
   const bool watched = (wanted_uN > watchedAbove_uN || wanted_uN < -watchedAbove_uN) && position_nm > watchedFrom_nm &&
                        position_nm > 2 * step_nm;
   still_us = moved || !watched ? 0 : still_us + step_us;
-  believed_ppm += (int32_t)(still_us >= stillFor_us ? -1000000LL * step_us / probe_us : 1000000LL * step_us / regained_us);
+  believed_ppm += (int32_t)(watched && dead           ? -1000000LL * step_us / deadRamp_us
+                            : still_us >= stillFor_us ? -1000000LL * step_us / probe_us
+                                                      : 1000000LL * step_us / regained_us);
   believed_ppm = constrain(believed_ppm, 0, 1000000);
   if (still_us >= uncounted_us) stopped = deadEncoder = true;
   return wanted_uN * believed_ppm / 1000000;
@@ -230,15 +251,15 @@ int64_t watchedForce(int64_t wanted_uN, int32_t position_nm, bool moved, int32_t
 
 void runLaw(int32_t step_us) {
   const int32_t position_nm = positionNow_nm();
-  const bool moved = position_nm != lastPosition_nm;
-  const int64_t speed = (int64_t)(position_nm - lastPosition_nm) * 1000 / step_us;
+  const int32_t way_nm = position_nm - lastPosition_nm;
+  const int64_t speed = (int64_t)way_nm * 1000 / step_us;
   velocity_um_per_s += (int32_t)((speed - velocity_um_per_s) * step_us / (velocityFilter_us > step_us ? velocityFilter_us : step_us));
   lastPosition_nm = position_nm;
   moveGain(step_us);
   // Limited, then faded, then no faster than the slew limit, and never above the ramp: as the host does it.
   int64_t wanted_uN = lawForce(position_nm);
   wanted_uN = wanted_uN > limit_uN ? limit_uN : wanted_uN < -limit_uN ? -(int64_t)limit_uN : wanted_uN;
-  wanted_uN = watchedForce(wanted_uN * gain_ppm / 1000000, position_nm, moved, step_us);
+  wanted_uN = watchedForce(wanted_uN * gain_ppm / 1000000, position_nm, way_nm, step_us);
   const int64_t change_uN = (int64_t)slew_uN_per_ms * step_us / 1000, most_uN = (int64_t)limit_uN * gain_ppm / 1000000;
   if (wanted_uN > force_uN + change_uN) wanted_uN = force_uN + change_uN;
   if (wanted_uN < force_uN - change_uN) wanted_uN = force_uN - change_uN;
@@ -248,7 +269,7 @@ void runLaw(int32_t step_us) {
 }
 
 void noForce() {
-  gain_ppm = still_us = 0;
+  gain_ppm = still_us = moved_nm = 0;
   believed_ppm = 1000000;
   setForce(0);
 }

@@ -218,6 +218,21 @@ TEST_CASE("force guard: after a pause longer than a device waits, the force begi
   CHECK(brief.limit(1, 0) == 1);
 }
 
+TEST_CASE("force guard: a handle that runs on after a pause has lost its place, and is no runaway") {
+  ForceLimits ends;
+  ends.travelEnd_mm = 4;
+  for (const bool paused : {true, false}) {
+    ForceGuard guard = running(ends);
+    double at_mm = paused ? 5.5 : 1;
+    guard.judge(at_mm, true, paused ? 20 : 1);
+    for (int i = 0; i < 80 && guard.halt() == ForceHalt::none; ++i) {
+      guard.limit(5, 100);
+      guard.judge(at_mm += 0.1, true);
+    }
+    CHECK(guard.halt() == (paused ? ForceHalt::displaced : ForceHalt::runaway));
+  }
+}
+
 TEST_CASE("force guard: a handle that an interruption of the force threw beyond its travel is a halt") {
   for (const bool paused : {true, false}) {
     for (const double beyond_mm : {1.5, 2.5}) {  // of a travel of 4 mm

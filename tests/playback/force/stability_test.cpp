@@ -47,7 +47,7 @@ TEST_CASE("stability: friction and encoder steps bound it too") {
   device.friction_N = 0.001;
   const StabilityMargin margin = stabilityOf(sampleButton("B"), device, 1000);
   CHECK(margin.least.bound == StabilityBound::quantisation);
-  CHECK(margin.least.allowed_N_per_mm == Approx(2 * 0.001 / 0.038));
+  CHECK(margin.least.allowed_N_per_mm == Approx(1.4 * 0.001 / 0.038));
   device.friction_N = 0;
   CHECK_FALSE(nearestStable(sampleButton("B"), device, 1000));
 }

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "playback/fitted_force.h"
 #include "playback/prepare/damping.h"
 #include "playback/prepare/spring_button.h"
 #include "playback/prepare/stability.h"
@@ -35,7 +36,7 @@ DrawnDevice drawnDevice(Chance& chance) {
   profile = playback::simulatedDevice();
   profile.mass_kg = chance.between(0.02, 0.2);
   profile.damping_Ns_per_mm = chance.between(0.0005, 0.006);
-  profile.friction_N = 0.1;  // stated, so that the bound by encoder steps is far; the handle has none
+  profile.friction_N = 0.15;  // stated, so that the bound by encoder steps is far; the handle has none
   profile.step_mm = chance.between(0.0005, 0.01);
   profile.rate_Hz = chance.once(0.5) ? 1000 : chance.between(500, 4000);
   profile.largestSlope_N_per_mm = steepest_N_per_mm;
@@ -212,5 +213,64 @@ TEST_CASE("a press that gave a finger more than it took is reported", "[energy]"
   for (const PressEnergy& press : pressEnergies()) {
     INFO(press.what << ": the finger was given " << -press.finger_mJ << " mJ");
     if (press.finger_mJ < -0.05) CHECK(press.claimed_mJ < 0.5 * press.finger_mJ);
+  }
+}
+
+namespace {
+
+/// Movement in encoder steps and rms force about its mean, from the second second of a finger that holds a
+/// place.
+struct HeldStill {
+  double steps = 0, rms_N = 0;
+};
+HeldStill heldAt(double at_mm, double push_N, const playback::FittedForce& fitted) {
+  const playback::ForceDeviceProfile& device = fitted.device;
+  LoopSettings settings;
+  settings.handle = handleOf(device);
+  settings.handle.static_N = device.friction_N;
+  settings.handle.motorLag_s = device.lag_s;
+  settings.encoderStep_mm = device.step_mm;
+  settings.sending.delay_s = device.delay_s;
+  settings.start_mm = at_mm;
+  ClosedLoop loop(fitted.prepared.program, settings, holding(at_mm, push_N));
+  loop.runUntil(2);
+  double low_mm = 1e9, high_mm = -1e9, sum_N = 0, squares = 0;
+  const std::vector<LoopStep> held = loop.runUntil(2.6);
+  for (const LoopStep& step : held) {
+    low_mm = std::min(low_mm, step.read_mm);
+    high_mm = std::max(high_mm, step.read_mm);
+    sum_N += step.command_N;
+    squares += step.command_N * step.command_N;
+  }
+  const auto count = static_cast<double>(held.size());
+  const double mean_N = sum_N / count;
+  return {(high_mm - low_mm) / device.step_mm, std::sqrt(std::max(0.0, squares / count - mean_N * mean_N))};
+}
+
+}  // namespace
+
+TEST_CASE("a handle whose friction just carries a button's slopes rests under a finger", "[margin]") {
+  playback::ForceDeviceProfile device = playback::simulatedDevice();
+  device.mass_kg = 0.067;
+  device.friction_N = 0.0302;
+  device.damping_Ns_per_mm = 0.00101;
+  device.step_mm = 0.0389;
+  device.delay_s = 0.00113;
+  device.lag_s = 0.00092;
+  device.measured = true;
+  for (const char* name : {"E", "F"}) {
+    const Button button = sampleButton(name);
+    Result<playback::PreparedForce> prepared = playback::prepareForce(button, device, {});
+    REQUIRE(prepared);
+    const Result<playback::FittedForce> fitted = playback::keptTo(device, button, {}, *std::move(prepared));
+    REQUIRE(fitted);
+    for (int place = 0; place <= 10; ++place) {
+      const double at_mm = fitted->prepared.summary.travel_mm * (0.02 + 0.1 * place);
+      const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
+      const HeldStill held = heldAt(at_mm, 0.7 * carried_N, *fitted);
+      INFO(name << " held at " << at_mm << " mm");
+      CHECK(held.steps <= 4.001);
+      CHECK(held.rms_N <= 0.05);
+    }
   }
 }

@@ -269,7 +269,7 @@ TEST_CASE("a profile survives a round trip and refuses what it does not know", "
   d.lag_s = {0.0004, 1e-4};
   d.late_s = {0.0017, 1e-5};
   d.rate_Hz = 800;
-  d.step_mm = 0.001;
+  d.step_mm = 0.025;
   const std::string text = toText(d);
   const Result<playback::ForceDeviceMeasurement> back = playback::parseForceDevice(text, "x");
   REQUIRE(back);
@@ -280,5 +280,8 @@ TEST_CASE("a profile survives a round trip and refuses what it does not know", "
   const playback::ForceDeviceProfile host =
       playback::measuredProfile(playback::simulatedDevice(), *back, 400, true);
   CHECK(host.measured);
+  CHECK(host.step_mm == 0.025);
   CHECK(host.late_s() == Approx(0.0017 + 1.0 / 400 - 1.0 / 800));
+  d.step_mm = 0;  // not stated: the preset's
+  CHECK(playback::measuredProfile(playback::falconDevice(), d, 800, true).step_mm == 0.038);
 }
