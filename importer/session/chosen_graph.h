@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Chooses the graph to import: the one asked for, or the one with the highest confidence.
+// Chooses the graph to import: the requested one, or the one with the highest confidence.
 
 #include <memory>
 #include <utility>

@@ -18,7 +18,7 @@ trace::PlotScene sceneOf(const LocatedGraph& graph, const TraceHints& onView);
 /// The hints with masks converted from page units to view pixels.
 TraceHints hintsInView(TraceHints hints, const PageView& view);
 
-/// Strokes among the curves of a graph. A switch may be asked for by a name that only its legend's picture
+/// Strokes among the curves of a graph. A switch may be requested by a name that only the legend's picture
 /// shows.
 Result<Found<StrokePair>> strokesAmong(const std::vector<CurveTrace>& curves, const LocatedGraph& graph,
                                        const StrokeHints& hints);

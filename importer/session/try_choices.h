@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tries the choices of a question before a person is asked.
+// Tries the choices of a question before it is put to a person.
 
 #include <functional>
 #include <optional>
