@@ -158,7 +158,7 @@ TEST_CASE("magnetic key: settings that contradict each other are refused by name
   }
 }
 
-TEST_CASE("magnetic key: distances of rapid trigger are told as they were given") {
+TEST_CASE("magnetic key: distances of rapid trigger are worded as given") {
   CHECK(textOf(std::optional<RapidTrigger>()) == "off");
   CHECK(textOf(RapidTrigger{0.1, 0.1}) == "0.1 mm");
   CHECK(textOf(RapidTrigger{0.0015, 0.25}) == "0.0015/0.25 mm");
