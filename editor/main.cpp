@@ -13,7 +13,6 @@
 #include "editor/document/large_blocks.h"
 #include "editor/window/appearance.h"
 #include "editor/window/arguments.h"
-#include "editor/window/geometry_report.h"
 #include "editor/window/main_window.h"
 #include "editor/window/stored_view.h"
 #include "editor/window/translation.h"
@@ -64,8 +63,6 @@ int run(QApplication& app) {
       QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).filePath("recovery"));
   MainWindow window({view, settings, prompts, recovery});
   window.show();
-  if (const QString file = qEnvironmentVariable("DETENT_EDIT_GEOMETRY"); !file.isEmpty())
-    new GeometryReport(file, &window);
   QTimer::singleShot(0, &window, [&] {
     if (arguments.files.isEmpty()) window.restoreSession();
     window.files().offerRecovery();

@@ -21,6 +21,7 @@
 #include "importer/callouts/callouts.h"
 #include "importer/fit/fit_stroke.h"
 #include "importer/log/force_log.h"
+#include "importer/page/confidence_bar.h"
 #include "importer/page/document.h"
 #include "importer/page/page.h"
 #include "importer/page/page_class.h"
@@ -60,10 +61,6 @@ struct ImportHints {
 /// not offered again. If none is left: drawing the strokes by hand, unless only axes can help, then
 /// accepting the doubt.
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints);
-
-/// Default of ImportRequest::sure: an import with less confidence fails with notCertain (exit code 5) and the
-/// options to pass. Set from the corpus (docs/develop/decisions/0800-import-confidence.md).
-inline constexpr double confidenceBar = 0.5;
 
 /// Wall-clock time that the imports of one input may take together.
 struct TimeLimit {

@@ -5,8 +5,10 @@
 // DETENT_WITH_LIBRARY.
 
 #include "importer/library/feel_map.h"
+#include "importer/library/felt_shape.h"
 #include "importer/library/find_switches.h"
 #include "importer/library/index_folders.h"
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
 #include "importer/library/report_page.h"
+#include "importer/library/wanted_button.h"

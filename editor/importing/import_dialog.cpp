@@ -538,8 +538,8 @@ void ImportDialog::Impl::showAdvice() {
 void ImportDialog::Impl::showAccept() {
   const int ticked = state.tickedCount();
   const ImportGraph* graph = state.current();
-  const bool usable = graph && graph->good && !graph->isOther() && !(graph->last && graph->last->failure) &&
-                      (!graph->good->report->doubt || graph->confirmed);
+  const bool usable =
+      graph && graph->good && !(graph->last && graph->last->failure) && graph->isAcceptable(*graph->good);
   accept->setText(ticked > 1 ? tr("&Import %1 graphs").arg(ticked) : tr("&Import"));
   accept->setEnabled(ticked > 0 || usable);
   accept->setToolTip(ticked > 0 ? tr("Import the ticked graphs, each as a button of its own")

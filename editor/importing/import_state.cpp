@@ -655,7 +655,7 @@ void ImportState::choose(ImportGraph& graph, const std::string& curve) {
 }
 
 bool ImportState::isUsable(const ImportGraph& graph) const {
-  return graph.upToDate(quality_) && !graph.isOther() && (!graph.last->report->doubt || graph.confirmed);
+  return graph.upToDate(quality_) && graph.isAcceptable(*graph.last);
 }
 
 void ImportState::giveOut(ImportGraph& graph, const std::string& curve) {

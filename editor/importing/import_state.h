@@ -72,6 +72,10 @@ struct ImportGraph {
   std::vector<SwitchChoice> switches() const;
   /// Returns true if the user said that an axis measures another quantity.
   bool isOther() const { return history.now().xIsOther || history.now().yIsOther; }
+  /// Returns true if one of its results can be accepted: neither another quantity nor an open doubt.
+  bool isAcceptable(const ImportedGraph& result) const {
+    return !isOther() && (!result.report->doubt || confirmed);
+  }
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Present corners in page units: the given ones, else the found ones; empty before either exists.
   std::optional<FrameCorners> corners() const;

@@ -121,6 +121,11 @@ std::optional<FrameCorners> PageView::shownCorners() const {
   return state_.current()->corners();
 }
 
+bool PageView::isReading() const {
+  return state_.opening() || state_.working() ||
+         (state_.isOpen() && state_.searchedPages() < state_.pageCount());
+}
+
 importer::Point PageView::toPage(QPointF widget) const {
   const QPointF p = pageToWidget_.inverted().map(widget);
   return {p.x(), p.y()};

@@ -34,6 +34,8 @@ enum class PageToolKind {
 /// GUI thread.
 class PageView : public QWidget {
   Q_OBJECT
+  Q_PROPERTY(QTransform pageToWidget READ pageToWidget)
+  Q_PROPERTY(bool reading READ isReading)
 
  public:
   /// Both must outlive it.
@@ -57,6 +59,8 @@ class PageView : public QWidget {
   std::optional<FrameCorners> shownCorners() const;
   const DrawnResult& drawn() const { return drawn_; }
   QTransform pageToWidget() const { return pageToWidget_; }
+  /// Returns true while an import may still change what the page shows.
+  bool isReading() const;
   QPointF toWidget(importer::Point page) const { return pageToWidget_.map(QPointF(page.x, page.y)); }
   importer::Point toPage(QPointF widget) const;
   /// A point moved onto the page.

@@ -10456,6 +10456,54 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Import a graph on which one scale of force holds for press and release</source>
         <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
     </message>
+    <message>
+        <source>graph %1</source>
+        <translation>Graph %1</translation>
+    </message>
+    <message>
+        <source>there is no such graph</source>
+        <translation>diesen Graphen gibt es nicht</translation>
+    </message>
+    <message>
+        <source>no force graph found</source>
+        <translation>kein Kraftgraph gefunden</translation>
+    </message>
+    <message>
+        <source>no force graph found (%1)</source>
+        <translation>kein Kraftgraph gefunden (%1)</translation>
+    </message>
+    <message>
+        <source>measures forces too</source>
+        <translation>misst ebenfalls Kräfte</translation>
+    </message>
+    <message>
+        <source>the table can be read in several ways: %1</source>
+        <translation>die Tabelle lässt sich auf mehrere Weisen lesen: %1</translation>
+    </message>
+    <message>
+        <source>Pass one of the choices</source>
+        <translation>Eine der Möglichkeiten angeben</translation>
+    </message>
+    <message>
+        <source>the table is hardly a record of a button</source>
+        <translation>die Tabelle sieht nicht nach der Aufzeichnung eines Tasters aus</translation>
+    </message>
+    <message>
+        <source>the fitted curve leaves the samples</source>
+        <translation>die angepasste Kurve weicht von den Messpunkten ab</translation>
+    </message>
+    <message>
+        <source>Check the values, or ask for a lower confidence</source>
+        <translation>Die Werte prüfen oder eine geringere Sicherheit verlangen</translation>
+    </message>
+    <message>
+        <source>nothing was read within the limit of %1 s</source>
+        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
+    </message>
+    <message>
+        <source>Choose a lower level of quality</source>
+        <translation>Eine niedrigere Qualität wählen</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10535,58 +10583,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
-    <name>detent::importer::ImportSession::Impl</name>
-    <message>
-        <source>1 to %1</source>
-        <translation>1 bis %1</translation>
-    </message>
+    <name>detent::importer::KeptPages</name>
     <message>
         <source>graph %1</source>
         <translation>Graph %1</translation>
-    </message>
-    <message>
-        <source>no force graph found</source>
-        <translation>kein Kraftgraph gefunden</translation>
-    </message>
-    <message>
-        <source>no force graph found (%1)</source>
-        <translation>kein Kraftgraph gefunden (%1)</translation>
     </message>
     <message>
         <source>there is no such page</source>
         <translation>diese Seite gibt es nicht</translation>
     </message>
     <message>
-        <source>there is no such graph</source>
-        <translation>diesen Graphen gibt es nicht</translation>
-    </message>
-    <message>
-        <source>nothing was read within the limit of %1 s</source>
-        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
-    </message>
-    <message>
-        <source>Choose a lower level of quality</source>
-        <translation>Eine niedrigere Qualität wählen</translation>
-    </message>
-    <message>
-        <source>the table can be read in several ways: %1</source>
-        <translation>die Tabelle lässt sich auf mehrere Weisen lesen: %1</translation>
-    </message>
-    <message>
-        <source>the fitted curve leaves the samples</source>
-        <translation>die angepasste Kurve weicht von den Messpunkten ab</translation>
-    </message>
-    <message>
-        <source>Pass one of the choices</source>
-        <translation>Eine der Möglichkeiten angeben</translation>
-    </message>
-    <message>
-        <source>the table is hardly a record of a button</source>
-        <translation>die Tabelle sieht nicht nach der Aufzeichnung eines Tasters aus</translation>
-    </message>
-    <message>
-        <source>Check the values, or ask for a lower confidence</source>
-        <translation>Die Werte prüfen oder eine geringere Sicherheit verlangen</translation>
+        <source>1 to %1</source>
+        <translation>1 bis %1</translation>
     </message>
 </context>
 <context>

@@ -53,8 +53,6 @@ QString helpText() {
       "The window names files that cannot be opened and opens the others. Unsaved work is saved every 2\n"
       "seconds and offered after a crash. Qt's own options, such as -platform, are accepted.\n"
       "\n"
-      "DETENT_EDIT_GEOMETRY=FILE writes names and screen places of all widgets to FILE as JSON, for tests.\n"
-      "\n"
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 6 no screen to open a window on.\n");
 }
 

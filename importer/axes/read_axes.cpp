@@ -20,6 +20,7 @@
 #include "importer/axes/printed_number.h"
 #include "importer/axes/text_source.h"
 #include "importer/axes/uneven_scale.h"
+#include "importer/page/confidence_bar.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -213,9 +214,6 @@ bool isWholeRow(const Progression& p, double printed, double baseline_px) {
   return p.labels >= fewest && printed > 1 - 0.5 / p.labels && p.residual_px <= even_px &&
          std::abs(p.position(step) - baseline_px) <= onLine_px;
 }
-
-/// Confidence in an axis from which on its labels are trusted without a given end.
-constexpr double credible = 0.5;
 
 /// Confidence in an axis: 1 if all labels agree; less for labels that contradict or cannot be read, for few
 /// labels, and for a large residual. `baseline_px`: where the axis begins.
@@ -694,7 +692,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
     const std::optional<AxisLabels>& labels = isX ? xLabels : yLabels;
     AxisReading& reading = isX ? cal.x : cal.y;
     // A given range does not make a nonlinear scale linear. Of such a scale some labels always fit a line.
-    const bool labelsFit = !given && (isX ? xSure : ySure) >= credible;
+    const bool labelsFit = !given && (isX ? xSure : ySure) >= confidenceBar;
     const std::string scale = isLogarithmic(isX ? frame.xLines : frame.yLines) ? logarithmicScale
                               : labels && !labelsFit                           ? unevenScaleIn(*labels, axis)
                                                                                : std::string();

@@ -14,7 +14,9 @@
 
 #include "importer/lexicon/letters.h"
 #include "importer/lexicon/lexicon.h"
+#include "model/check.h"
 #include "model/text.h"
+#include "model/units.h"
 
 namespace detent::importer {
 namespace {
@@ -52,6 +54,15 @@ ColumnUnit::Kind unitKindNamed(std::string_view name) {
   return ColumnUnit::Kind::other;
 }
 
+/// mm or N in a unit of force or travel that the model knows by this spelling.
+double sizeInModel(const ColumnUnit& unit) {
+  const bool isForce = unit.kind == ColumnUnit::Kind::force;
+  const auto force = isForce ? forceUnitFrom(unit.text) : std::nullopt;
+  const auto length = isForce ? std::nullopt : lengthUnitFrom(unit.text);
+  DETENT_CHECK(force || length, "lexicon.tsv gives the size of a column's unit that model/units.h lacks");
+  return force ? newtonsPer(*force) : millimetresPer(*length);
+}
+
 Vocabulary readVocabulary() {
   constexpr std::string_view romance = "fr es it pt ro", compounding = "de nl sv da no";
   Vocabulary all;
@@ -59,8 +70,12 @@ Vocabulary readVocabulary() {
     const std::size_t colon = entry.value.find(':');
     const std::string spelled(entry.word);
     ColumnUnit unit{unitKindNamed(entry.value.substr(0, colon)), 1, spelled};
-    const std::string_view size = entry.value.substr(colon + 1);
-    std::from_chars(size.data(), size.data() + size.size(), unit.size);
+    if (colon == std::string_view::npos) {
+      unit.size = sizeInModel(unit);
+    } else {
+      const std::string_view size = entry.value.substr(colon + 1);
+      std::from_chars(size.data(), size.data() + size.size(), unit.size);
+    }
     all.units[spelled] = unit;
     const auto [place, isNew] = all.foldedUnits.emplace(folded(spelled), unit);
     if (!isNew && (place->second.kind != unit.kind || place->second.size != unit.size))

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "importer/library/find_switches.h"
+#include "importer/switch_library.h"
 
 namespace detent::importer {
 

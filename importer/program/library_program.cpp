@@ -16,12 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/batch/batch.h"
-#include "importer/library/find_switches.h"
-#include "importer/library/index_folders.h"
-#include "importer/library/origin.h"
-#include "importer/library/read_switches.h"
-#include "importer/library/report_page.h"
-#include "importer/library/wanted_button.h"
 #include "importer/program/forced_end.h"
 #include "importer/program/library_json.h"
 #include "importer/program/progress_line.h"

@@ -352,15 +352,16 @@ std::vector<CurveTrace> withNeutralLoop(std::vector<CurveTrace> loop, const Curv
   return loop;
 }
 
-bool liesOn(Point p, const CurveTrace& trace, double within_px) {
+/// Returns true if a traced point is near. The straight connection across a gap of the trace does not count.
+bool isNearPointOf(const CurveTrace& trace, Point p, double within_px) {
   return std::ranges::any_of(trace.points_px, [&](Point q) { return distance(p, q) <= within_px; });
 }
 
-/// Share of a trace's points that lie on another one.
-double shareOn(const CurveTrace& trace, const CurveTrace& other) {
+/// Share of a trace's points that are near traced points of another one.
+double shareNearPointsOf(const CurveTrace& other, const CurveTrace& trace) {
   constexpr double within_px = 1.5;
   const auto on =
-      std::ranges::count_if(trace.points_px, [&](Point p) { return liesOn(p, other, within_px); });
+      std::ranges::count_if(trace.points_px, [&](Point p) { return isNearPointOf(other, p, within_px); });
   return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(1, trace.points_px.size()));
 }
 
@@ -381,8 +382,9 @@ bool anyLost(const std::vector<CurveTrace>& traces) {
   }
   return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
     const auto [left, right] = extent(trace);
-    const bool onAnother = std::ranges::any_of(
-        traces, [&](const CurveTrace& other) { return &other != &trace && shareOn(trace, other) > same; });
+    const bool onAnother = std::ranges::any_of(traces, [&](const CurveTrace& other) {
+      return &other != &trace && shareNearPointsOf(other, trace) > same;
+    });
     return right - left < mostOf * (to - from) || onAnother;
   });
 }
@@ -409,9 +411,10 @@ bool goesOnAlone(const CurveTrace& stroke, const CurveTrace& ownTrace,
   constexpr double apart_px = 3, alone = 0.25;  // px; share of the part beyond
   double beyond = 0, shared = 0;
   for (Point p : stroke.points_px) {
-    if (liesOn(p, ownTrace, apart_px)) continue;
+    if (isNearPointOf(ownTrace, p, apart_px)) continue;
     ++beyond;
-    shared += std::ranges::any_of(traces, [&](const CurveTrace& other) { return liesOn(p, other, apart_px); })
+    shared += std::ranges::any_of(traces,
+                                  [&](const CurveTrace& other) { return isNearPointOf(other, p, apart_px); })
                   ? 1
                   : 0;
   }
@@ -462,10 +465,11 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
   for (const CurveTrace& stroke : strokes)
     if (leavesByTheTop(stroke, plot.area()) || outrunsColours(stroke, traces, width_px)) return {};
   for (const CurveTrace& trace : traces)
-    if (std::max(shareOn(trace, strokes[0]), shareOn(trace, strokes[1])) < agreeing) return {};
+    if (std::max(shareNearPointsOf(strokes[0], trace), shareNearPointsOf(strokes[1], trace)) < agreeing)
+      return {};
   for (CurveTrace& stroke : strokes) {
     const auto nearer = [&](const CurveTrace& a, const CurveTrace& b) {
-      return shareOn(stroke, a) < shareOn(stroke, b);
+      return shareNearPointsOf(a, stroke) < shareNearPointsOf(b, stroke);
     };
     const CurveTrace& ownTrace = *std::ranges::max_element(traces, nearer);
     if (!small && !goesOnAlone(stroke, ownTrace, traces)) return {};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/number_table.h"
+
 namespace detent::playback {
 
 namespace {
@@ -23,6 +25,13 @@ std::optional<Failure> distanceTrouble(Subject distance, double distance_mm, dou
 }
 
 }  // namespace
+
+std::string textOf(const std::optional<RapidTrigger>& rapid) {
+  if (!rapid) return "off";
+  std::string text = shortestText(rapid->press_mm);
+  if (rapid->release_mm != rapid->press_mm) text += "/" + shortestText(rapid->release_mm);
+  return text + " mm";
+}
 
 MagneticKeySettings settingsFor(const ButtonState& state, double actuate_mm) {
   constexpr double usualDifferential_mm = 0.1;

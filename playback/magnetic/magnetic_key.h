@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/button.h"
@@ -27,6 +28,9 @@ struct RapidTrigger {
 
   friend bool operator==(const RapidTrigger&, const RapidTrigger&) = default;
 };
+
+/// "off", "0.1 mm", or "0.1/0.2 mm" where the distances of press and release differ.
+std::string textOf(const std::optional<RapidTrigger>& rapid);
 
 /// Settings of one key. Displacements from rest.
 struct MagneticKeySettings {

@@ -43,16 +43,10 @@ std::string micrometres(double displacement_mm) {
 
 std::string simulatedLine(const MagneticKeyForecast& f) {
   char line[200];
-  std::string rapid = "off";
-  if (const auto& distances = f.settings.rapid) {
-    rapid = shortestText(distances->press_mm);
-    if (distances->release_mm != distances->press_mm) rapid += "/" + shortestText(distances->release_mm);
-    rapid += " mm";
-  }
   std::snprintf(line, sizeof line,
                 "   rapid trigger %-8s lost %.1f, doubled %.1f of 1,000; held: lets go %.0f times a minute, "
                 "shallow %.0f\n",
-                rapid.c_str(), f.lost_per_1000, f.doubled_per_1000, f.letsGo_per_minute,
+                textOf(f.settings.rapid).c_str(), f.lost_per_1000, f.doubled_per_1000, f.letsGo_per_minute,
                 f.letsGoShallow_per_minute);
   return line;
 }

@@ -71,15 +71,8 @@ std::vector<MagneticKeySettings> variantsOf(const MagneticKeySettings& chosen) {
 }
 
 void sayMagnetic(const MagneticKeyForecast& f) {
-  const auto short_mm = [](double mm) { return std::to_string(mm).substr(0, 5); };
-  std::string rapid = "off";
-  if (const auto& distances = f.settings.rapid) {
-    rapid = short_mm(distances->press_mm);
-    if (distances->release_mm != distances->press_mm) rapid += "/" + short_mm(distances->release_mm);
-    rapid += " mm";
-  }
-  std::fprintf(stderr, "  %-14s %8.1f %8.1f %14.0f %14.0f\n", rapid.c_str(), f.lost_per_1000,
-               f.doubled_per_1000, f.letsGo_per_minute, f.letsGoShallow_per_minute);
+  std::fprintf(stderr, "  %-14s %8.1f %8.1f %14.0f %14.0f\n", textOf(f.settings.rapid).c_str(),
+               f.lost_per_1000, f.doubled_per_1000, f.letsGo_per_minute, f.letsGoShallow_per_minute);
 }
 
 Json jsonOf(const MagneticKeyForecast& f) {

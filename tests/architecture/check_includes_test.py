@@ -168,6 +168,10 @@ class PlantedMistake(unittest.TestCase):
                    "#include <QWidget>", "#include <qcustomplot.h>", '#include "planted.moc"')
         self.expect(("editor/planted.cpp", 2, "front door"))
 
+    def test_program_passes_the_door_of_the_switch_library_by(self):
+        self.plant("importer/program/planted.cpp", '#include "importer/switch_library.h"', '#include "importer/library/store.h"')
+        self.expect(("importer/program/planted.cpp", 2, "direction"))
+
     def test_library_in_a_shared_header(self):
         self.plant("editor/planted.cpp", '#include "importer/importer.h"')
         line = self.append("importer/trace/curve_trace.h", "#include <opencv2/core.hpp>")  # reached through importer.h

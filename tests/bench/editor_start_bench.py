@@ -5,7 +5,7 @@
     editor_start_bench.py --bin FOLDER [--runs 15] [--pdf FILE]
 
 A window counts as usable when its menus are drawn, its event loop answers and the button given is shown: the report of
-DETENT_EDIT_GEOMETRY is written by that loop. --pdf also opens a document in the import dialogue and prints the memory it ends with.
+its widgets is written by that loop. --pdf also opens a document in the import dialogue and prints the memory it ends with.
 Bars: start <= 1 s warm; <= 400 MB with a 40-page PDF.
 """
 

@@ -23,6 +23,9 @@ from pathlib import Path
 
 import cost
 
+sys.path.insert(0, str(cost.ROOT / "tests/editor/e2e"))
+from desktop import geometry_report  # noqa: E402
+
 PAGE = cost.ROOT / "docs/measurements/scene.md"
 PLOTS, BUTTONS = cost.SAMPLES / "plots", cost.SAMPLES / "buttons"
 MOST_LIBRARIES, MOST_START_MS = 60, 40
@@ -76,7 +79,7 @@ CLAIMS = [
 def environment(folder):
     """A home of its own: neither sessions nor settings of whoever runs this."""
     home = {name: str(folder) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME")}
-    return {**os.environ, **home, "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8", "OMP_THREAD_LIMIT": "1", "DETENT_EDIT_GEOMETRY": str(folder / "places.json")}
+    return {**os.environ, **home, "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8", "OMP_THREAD_LIMIT": "1"}
 
 
 class Running:
@@ -85,7 +88,7 @@ class Running:
     def __init__(self, scene, binaries, folder, prefix=(), **extra):
         self.scene, self.folder = scene, Path(folder)
         program, *arguments = SCENES[scene]
-        self.process = subprocess.Popen([*prefix, str(binaries / program), *map(str, arguments)], cwd=folder, env={**environment(self.folder), **extra},
+        self.process = subprocess.Popen([*prefix, str(binaries / program), *map(str, arguments)], cwd=folder, env={**environment(self.folder), **geometry_report(binaries / program, self.folder / "places.json"), **extra},
                                         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def shown(self):

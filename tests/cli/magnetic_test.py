@@ -146,7 +146,7 @@ class Magnetic(unittest.TestCase):
         self.assertEqual((told["top_dead_zone_mm"], told["bottom_dead_zone_mm"]), (0.1, 0.25))
         chosen = told["settings"][0]
         self.assertEqual((chosen["rapid_trigger_mm"], chosen["rapid_release_mm"], chosen["continuous"]), (0.2, 0.35, True))
-        self.assertIn("0.200/0.350 mm", result.stderr)
+        self.assertIn("0.2/0.35 mm", result.stderr)
 
     def test_a_bottom_dead_zone_holds_a_noisy_key(self):
         noisy = ("--readings", self.measured(), "--noise", 20, "--rapid-trigger", 0.05)

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "editor/python/core/refusal.h"
-#include "importer/library/felt_shape.h"
 #include "importer/program/library_json.h"
+#include "importer/switch_library.h"
 #include "playback/offline/press_files.h"
 #include "playback/offline/press_speed.h"
 #include "playback/offline/standard_press.h"

@@ -144,15 +144,20 @@ class Desktop:
         subprocess.run(["import", "-window", "root", str(file)], env=self.environment, check=False, timeout=30)
 
 
+def geometry_report(program, file):
+    """Environment in which a program of Qt writes names and places of its widgets to a file (tests/editor/geometry)."""
+    return {"QT_PLUGIN_PATH": str(Path(program).resolve().parent / "test_plugins"), "QT_QPA_GENERIC_PLUGINS": f"widget_geometry:{file}"}
+
+
 class Editor:
-    """A running detent-edit and what it tells about its widgets (DETENT_EDIT_GEOMETRY)."""
+    """A running detent-edit and what it tells about its widgets."""
 
     def __init__(self, desktop, program, files=()):
         self.desktop = desktop
         self.geometry = desktop.folder / "geometry.json"
         self.geometry.unlink(missing_ok=True)
         self.log = (desktop.folder / "editor.log").open("a")
-        self.process = desktop.start([program, *map(str, files)], env=dict(desktop.environment, DETENT_EDIT_GEOMETRY=str(self.geometry)),
+        self.process = desktop.start([program, *map(str, files)], env={**desktop.environment, **geometry_report(program, self.geometry)},
                                      stdout=self.log, stderr=self.log)
 
     def report(self):

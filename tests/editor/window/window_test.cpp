@@ -62,7 +62,6 @@
 #include "editor/panels/values_panel.h"
 #include "editor/window/appearance.h"
 #include "editor/window/arguments.h"
-#include "editor/window/geometry_report.h"
 #include "editor/window/main_window.h"
 #include "editor/window/stored_view.h"
 #include "editor/window/translation.h"
@@ -73,6 +72,7 @@
 #include "model/metrics.h"
 #include "playback/force_feedback.h"
 #include "playback/study.h"
+#include "tests/editor/geometry/geometry_report.h"
 #include "tests/editor/window/scripted_prompts.h"
 #include "tests/editor/window_tests.h"
 

@@ -158,6 +158,12 @@ TEST_CASE("magnetic key: settings that contradict each other are refused by name
   }
 }
 
+TEST_CASE("magnetic key: distances of rapid trigger are worded as given") {
+  CHECK(textOf(std::optional<RapidTrigger>()) == "off");
+  CHECK(textOf(RapidTrigger{0.1, 0.1}) == "0.1 mm");
+  CHECK(textOf(RapidTrigger{0.0015, 0.25}) == "0.0015/0.25 mm");
+}
+
 TEST_CASE("magnetic key: events along a press and a second one") {
   const std::vector<double> turns_mm = {0, 4, 1, 4, 0};
   const auto check = [&](const MagneticKeySettings& settings, const std::vector<KeyEvent>& expected) {

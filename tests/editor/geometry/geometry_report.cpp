@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/window/geometry_report.h"
+#include "tests/editor/geometry/geometry_report.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -15,11 +15,10 @@
 #include <QSaveFile>
 #include <QTabBar>
 #include <QTableWidget>
+#include <QTransform>
 #include <QWidget>
 
 #include <qcustomplot.h>
-
-#include "editor/importing/page_view.h"
 
 namespace detent::editor {
 namespace {
@@ -48,11 +47,6 @@ QJsonObject axesJson(const QCustomPlot& plot) {
 }
 
 QJsonArray transformJson(const QTransform& t) { return {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}; }
-
-// Returns true while an import may still change what the page shows.
-bool isReading(const ImportState& state) {
-  return state.opening() || state.working() || (state.isOpen() && state.searchedPages() < state.pageCount());
-}
 
 QJsonArray actionsJson(const QMenu& menu) {
   QJsonArray all;
@@ -95,9 +89,10 @@ QJsonObject widgetJson(const QWidget& widget) {
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget); button && button->isCheckable())
     object["checked"] = button->isChecked();
   if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget)) object["axes"] = axesJson(*plot);
-  if (const auto* page = qobject_cast<const PageView*>(&widget)) {
-    object["page"] = transformJson(page->pageToWidget());
-    object["reading"] = isReading(page->state());
+  // properties of PageView (editor/importing/page_view.h)
+  if (const QVariant page = widget.property("pageToWidget"); page.isValid()) {
+    object["page"] = transformJson(page.value<QTransform>());
+    object["reading"] = widget.property("reading").toBool();
   }
   if (const auto* menu = qobject_cast<const QMenu*>(&widget)) object["actions"] = actionsJson(*menu);
   if (const auto* table = qobject_cast<const QTableView*>(&widget)) object["cells"] = cellsJson(*table);
