@@ -767,7 +767,7 @@ TEST_CASE("A frame in a curve's colour is no bottom-out of a curve that runs int
 }
 
 TEST_CASE("A bottom-out thinner than its curve is one, where only paper lies below it", "[trace]") {
-  const double thickness_px = GENERATE(3.0, 1.5);
+  const double thickness_px = GENERATE(2.8, 1.5);
   Plot plot(700, 430);
   plot.grid(8, 6, kGrey, 1);
   CurveTrace stroke;

@@ -444,7 +444,7 @@ TEST_CASE("loop: a stroke that changes over to another line is refused", "[trace
 }
 
 TEST_CASE("loop: a bottom-out that goes on in dashes ends before the first of them", "[trace_loop]") {
-  const double dash = GENERATE(0.1, 0.06), gap = 0.06;  // share of the frame's height
+  const double dash = GENERATE(0.1, 0.08), gap = dash < 0.1 ? 0.03 : 0.06;  // share of the frame's height
   constexpr double knee = 0.5;
   Plot plot(800, 600, 2);
   plot.grid(4, 6, 1);
