@@ -142,8 +142,8 @@ constexpr double leastShare = 0.8;  // share of a leader that must be a thin str
 
 /// Share of the straight line between two points that is a thin stroke: marked pixels on it and none beside
 /// it. 0..1. Pixels of strokes and of the plot's lines show nothing; most of a leader has to lie off them.
-/// Returns 0 as soon as `leastShare` cannot be reached any more, because nearly all lines from a
-/// word to a curve cross blank paper.
+/// Returns 0 as soon as `leastShare` cannot be reached any more, because nearly all lines from a word to a
+/// curve cross blank paper.
 double leaderShare(const MarkTest& marks, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};

@@ -109,7 +109,7 @@ bool standsOut(double more_px, const Thickness& above, const Thickness& line, do
 constexpr int kLaneReach_px = 6;
 
 /// Mean over some rows of a lane's difference to the paper, added across it: its colour times its thickness.
-std::optional<Color3> inkOn(const PlotScene& scene, double x, double y0, double y1) {
+std::optional<Color3> laneColour(const PlotScene& scene, double x, double y0, double y1) {
   const int middle = static_cast<int>(std::lround(x));
   Color3 sum;
   int rows = 0;
@@ -124,11 +124,11 @@ std::optional<Color3> inkOn(const PlotScene& scene, double x, double y0, double 
   return (1.0F / static_cast<float>(rows)) * sum;
 }
 
-/// The share of `ink` in a colour, as a thickness, if the rest of it is in the other colour.
-double thicknessIn(const PaletteColour& own, const PaletteColour& other, Color3 ink) {
+/// The part of a lane's colour that is in `own`, as a thickness, if the rest of it is in the other colour.
+double thicknessIn(const PaletteColour& own, const PaletteColour& other, Color3 added) {
   const Color3 a = own.difference(), b = other.difference();
   const double determinant = static_cast<double>(dot(a, a) * dot(b, b) - dot(a, b) * dot(a, b));
-  return static_cast<double>(dot(a, ink) * dot(b, b) - dot(b, ink) * dot(a, b)) / determinant;
+  return static_cast<double>(dot(a, added) * dot(b, b) - dot(b, added) * dot(a, b)) / determinant;
 }
 
 struct LostBottomOut {
@@ -187,8 +187,8 @@ Ends endsBeside(const Curve& curve, const std::vector<Curve>& curves, Color3 pap
 std::optional<double> ownThickness(const Curve& curve, const Ends& ends, double x, double y0, double y1,
                                    const PlotScene& scene) {
   const double margin = 1.5 * curve.thickness_px + 2;
-  const auto above = inkOn(scene, x, y0, y1),
-             below = inkOn(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin);
+  const auto above = laneColour(scene, x, y0, y1),
+             below = laneColour(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin);
   if (ends.others.empty() || !above || !below) return {};
   double least_px = INFINITY;
   const PaletteColour own = paletteColourOf(curve.color, scene.paper());

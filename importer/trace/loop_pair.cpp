@@ -616,8 +616,8 @@ PlanePair findPair(const Structure& structure, const WorkPlane& plane) {
   // With one stroke alone, or a path left over, and many remaining pixels the other may be dashed, so gaps
   // must cost less.
   const double much = 0.15 * plane.frame.width();
-  // Dashes that continue the bottom-outs are what remains; with gaps that cost less, strokes would be led over
-  // them, and from one row of dashes to the other.
+  // Dashes that continue the bottom-outs are what remains; with gaps that cost less, strokes would be led
+  // over them, and from one row of dashes to the other.
   if (!pair.release.empty() && pair.bottomOutsCut) return pair;
   if ((!pair.release.empty() && pair.further_px < much) || solid.leftOver_px() < much) return pair;
   PairSearch dashed(structure, plane, GapPrice{0.1F, 0.1F}, 0.05F);
