@@ -66,7 +66,25 @@ std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
 /// Distance of each pixel from the plot's most frequent colour: mark or paper.
 class MarkTest {
  public:
-  MarkTest(const Raster& raster, const Box& frame) : raster_(raster), paper_(mostFrequent(raster, frame)) {}
+  /// The strokes and the lines of the plot's frame are known: they would be there without a leader too.
+  MarkTest(const Raster& raster, const PlotFrame& frame, const StrokePair& strokes)
+      : raster_(raster),
+        paper_(mostFrequent(raster, frame.box())),
+        known_(static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px), 0) {
+    const Box box = frame.box();
+    for (const Point& p : strokes.press.points_px) setKnown({p.x, p.y, p.x, p.y});
+    if (strokes.release)
+      for (const Point& p : strokes.release->points_px) setKnown({p.x, p.y, p.x, p.y});
+    for (const GridLine& line : frame.xLines)
+      if (line.spansFrame) setKnown({line.position_px, box.y0, line.position_px, box.y1});
+    for (const GridLine& line : frame.yLines)
+      if (line.spansFrame) setKnown({box.x0, line.position_px, box.x1, line.position_px});
+  }
+
+  bool isKnown(Point p) const {
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    return x >= 0 && y >= 0 && x < raster_.width_px && y < raster_.height_px && known_[indexOf(x, y)] != 0;
+  }
 
   /// Returns true if a marked pixel lies within one pixel of the point.
   bool near(Point p) const {
@@ -102,23 +120,39 @@ class MarkTest {
     return {channel(best >> 8), channel(best >> 4 & 15), channel(best & 15)};
   }
 
+  std::size_t indexOf(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.width_px) +
+           static_cast<std::size_t>(x);
+  }
+
+  void setKnown(Box box) {
+    constexpr double halfLine_px = 3;  // of the thickest usual lines
+    box = box.grown(halfLine_px, halfLine_px);
+    for (int y = std::max(0, static_cast<int>(box.y0)); y <= std::min(raster_.height_px - 1.0, box.y1); ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0)); x <= std::min(raster_.width_px - 1.0, box.x1); ++x)
+        known_[indexOf(x, y)] = 1;
+  }
+
   const Raster& raster_;
   Rgb paper_;
+  std::vector<char> known_;
 };
 
 constexpr double leastShare = 0.8;  // share of a leader that must be a thin stroke
 
 /// Share of the straight line between two points that is a thin stroke: marked pixels on it and none beside
-/// it. 0..1. Returns 0 as soon as `leastShare` cannot be reached any more, because nearly all lines from a
-/// word to a curve cross blank paper.
+/// it. 0..1. Pixels of strokes and of the plot's lines show nothing; most of a leader has to lie off them.
+/// Returns 0 as soon as `leastShare` cannot be reached any more, because nearly all lines from a word to a
+/// curve cross blank paper.
 double leaderShare(const MarkTest& marks, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;  // mostGaps: share of the samples
+  constexpr double arrowhead_px = 8, side_px = 4.5;
+  constexpr double mostGaps = 0.1, mostKnown = 0.5;  // shares of the samples
   const double start =
       std::min(arrowhead_px, length / 3);  // dots and arrowheads stand where the leader meets the curve
   const int samples = static_cast<int>(std::floor(length - 1 - start)) + 1;
-  int gaps = 0, thick = 0;
+  int gaps = 0, thick = 0, known = 0;
   for (int k = 0; k < samples; ++k) {
     const double s = start + k;
     const Point p{from.x + s * along.x, from.y + s * along.y};
@@ -127,14 +161,18 @@ double leaderShare(const MarkTest& marks, Point from, Point to) {
     const auto hit = [&](Point q) {
       return marks.at(static_cast<int>(std::lround(q.x)), static_cast<int>(std::lround(q.y)));
     };
-    if (!marks.near(p)) {
+    if (marks.isKnown(p)) {
+      ++known;
+    } else if (!marks.near(p)) {
       ++gaps;
     } else if (hit(left) && hit(right)) {
       ++thick;
     }
-    if (gaps > mostGaps * samples || gaps + thick > (1 - leastShare) * samples) return 0;
+    if (gaps > mostGaps * samples || gaps + thick > (1 - leastShare) * samples || known > mostKnown * samples)
+      return 0;
   }
-  return samples > 0 ? double(samples - gaps - thick) / samples : 0;
+  const int shown = samples - known;
+  return shown > 0 ? double(shown - gaps - thick) / shown : 0;
 }
 
 /// Points around a text from which a leader may start.
@@ -181,7 +219,7 @@ std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, 
                                   const StrokePair& strokes) {
   const std::vector<Phrase> phrases = phrasesInside(axes, frame.box());
   if (phrases.empty()) return {};
-  const MarkTest marks(view.raster, frame.box());
+  const MarkTest marks(view.raster, frame, strokes);
   std::vector<Callout> callouts;
   for (const CalloutKind kind : {CalloutKind::operatingPoint, CalloutKind::resetPoint}) {
     std::optional<Callout> surest;

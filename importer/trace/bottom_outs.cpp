@@ -12,9 +12,9 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kLeastOfCurve = 0.6;  // share of the curve's thickness, for a row of the bottom-out
-constexpr double kMostOfCurve = 1.7;   // of the curve's thickness; bars and shaded areas are thicker
-constexpr double kLean_px = 0.75;      // lean between the halves of a bottom-out, at most
+constexpr double kNearer = 0.5;       // of two thicknesses the nearer one: beyond the middle between them
+constexpr double kMostOfCurve = 1.7;  // of the curve's thickness; bars and shaded areas are thicker
+constexpr double kLean_px = 0.75;     // lean between the halves of a bottom-out, at most
 // additional pixels compared with the plot's own line, whatever the curve's thickness
 constexpr double kMuch_px = 0.4;
 constexpr double kMuchOfThickness = 0.35;  // the same as a share of the curve's thickness, at least
@@ -37,6 +37,7 @@ constexpr double kTopReached_px = 3;  // a bottom-out that ends this close to th
 struct Curve {
   std::vector<Point> points;
   bool reversed = false;    ///< drawn from the right
+  bool fromVector = false;  ///< known to its end
   double thickness_px = 0;  ///< 0: not visible
   Rgb color;
 
@@ -46,6 +47,7 @@ struct Curve {
 Curve curveOnArea(const CurveTrace& trace, const PlotArea& area) {
   Curve curve;
   curve.color = trace.color;
+  curve.fromVector = trace.fromVector;
   for (const Point& p : trace.points_px) curve.points.push_back(area.fromView(p));
   curve.reversed = curve.points.front().x > curve.points.back().x;
   if (curve.reversed) std::ranges::reverse(curve.points);
@@ -95,28 +97,113 @@ Thickness lineBelow(const PlumbLane& lane, double riseStart, double own_px, cons
   return {below->thin, std::max(below->usual, own_px), std::max(below->thick, own_px)};
 }
 
-/// Returns true if there are more pixels above a curve's end than the plot's own line has. Much more is a
-/// bottom-out whatever the curve's thickness; a little more is one if the curve is thicker than the line and
-/// all rows agree, because two adjacent thin lines resemble a thicker one.
-bool standsOut(const Thickness& above, const Thickness& line, double curve_px) {
-  const double more_px = above.usual - line.usual;
+/// Returns true if there is more above a curve's end than the plot's own line has. Much more is a bottom-out
+/// whatever the curve's thickness; a little more is one if the curve is thicker than the line and all rows
+/// agree, because two adjacent thin lines resemble a thicker one.
+bool standsOut(double more_px, const Thickness& above, const Thickness& line, double curve_px) {
   if (more_px >= std::max(kMuch_px, kMuchOfThickness * curve_px)) return true;
   return std::min(more_px, curve_px - line.usual) >= kLittle_px && above.thin > line.thick;
+}
+
+/// Columns on either side of a lane over which its colours are added.
+constexpr int kLaneReach_px = 6;
+
+/// Mean over some rows of a lane's difference to the paper, added across it: its colour times its thickness.
+std::optional<Color3> laneColour(const PlotScene& scene, double x, double y0, double y1) {
+  const int middle = static_cast<int>(std::lround(x));
+  Color3 sum;
+  int rows = 0;
+  for (int y = static_cast<int>(std::ceil(y0)); y <= y1; ++y) {
+    if (isAtOneOf(scene.area().rows_px, y, 3)) continue;
+    for (int at = std::max(0, middle - kLaneReach_px);
+         at <= std::min(scene.area().raster.width_px - 1, middle + kLaneReach_px); ++at)
+      sum = sum + (scene.pixel(at, y) - scene.paperAt(at, y));
+    ++rows;
+  }
+  if (rows < static_cast<int>(kLeastRows)) return {};
+  return (1.0F / static_cast<float>(rows)) * sum;
+}
+
+/// The part of a lane's colour that is in `own`, as a thickness, if the rest of it is in the other colour.
+double thicknessIn(const PaletteColour& own, const PaletteColour& other, Color3 added) {
+  const Color3 a = own.difference(), b = other.difference();
+  const double determinant = static_cast<double>(dot(a, a) * dot(b, b) - dot(a, b) * dot(a, b));
+  return static_cast<double>(dot(a, added) * dot(b, b) - dot(b, added) * dot(a, b)) / determinant;
 }
 
 struct LostBottomOut {
   double x = 0, riseStart = 0, top = 0;  ///< area px
 };
 
-/// For curves that end side by side: the bottom-out rises from the uppermost end, and below the lowest end
-/// only the plot's own line may stand on the lane.
+/// Row where the vertical rise at the end of a curve begins; the end's own row without one.
+double startOfRise(const Curve& curve) {
+  const Point end = curve.end();
+  double riseStart = end.y;
+  for (auto p = curve.points.rbegin(); p != curve.points.rend() && std::abs(p->x - end.x) <= kPlumb_px; ++p)
+    riseStart = std::max(riseStart, p->y);
+  return riseStart;
+}
+
+/// Returns true if the right ends of two curves are on one lane.
+bool endTogether(const Curve& a, const Curve& b) {
+  return std::abs(a.end().x - b.end().x) <= 2 * a.thickness_px + 4;
+}
+
+/// Returns true if a curve runs above another one, but for their bottom-outs: it is the press.
+bool runsAbove(const Curve& curve, const Curve& other) {
+  const auto meanRow = [](const Curve& each) {
+    double sum = 0, count = 0;
+    for (const Point& p : each.points)
+      if (p.x < each.end().x - kPlumb_px) sum += p.y, count += 1;
+    return sum / std::max(1.0, count);
+  };
+  return meanRow(curve) < meanRow(other);
+}
+
+/// Curves that end beside one. The bottom-out rises from the uppermost end, and below the lowest end only the
+/// plot's own line may stand on the lane.
 struct Ends {
-  double uppermost = 0, lowest = 0;  ///< area px
+  double uppermost = 0, lowest = 0;   ///< area px
+  std::vector<PaletteColour> others;  ///< colours of presses, if this is a release of another colour
 };
 
-/// The bottom-out above a curve's end.
-std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const ColourOnArea& coverage,
-                                         const PlotArea& area) {
+Ends endsBeside(const Curve& curve, const std::vector<Curve>& curves, Color3 paper) {
+  const PaletteColour own = paletteColourOf(curve.color, paper);
+  Ends ends{curve.end().y, curve.end().y, {}};
+  for (const Curve& other : curves) {
+    if (!endTogether(curve, other)) continue;
+    if (other.color == curve.color) ends.uppermost = std::min(ends.uppermost, startOfRise(other));
+    ends.lowest = std::max(ends.lowest, other.end().y);
+    const PaletteColour colour = paletteColourOf(other.color, paper);
+    if (static_cast<double>(dot(colour.direction, own.direction)) <= kSameColourAngle &&
+        runsAbove(other, curve))
+      ends.others.push_back(colour);
+  }
+  return ends;
+}
+
+/// Thickness, in a curve's colour, of what a lane shows above an end and not below it, if all of that is the
+/// curve's or another's that ends there; nullopt without others or rows.
+std::optional<double> ownThickness(const Curve& curve, const Ends& ends, double x, double y0, double y1,
+                                   const PlotScene& scene) {
+  const double margin = 1.5 * curve.thickness_px + 2;
+  const auto above = laneColour(scene, x, y0, y1),
+             below = laneColour(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin);
+  if (ends.others.empty() || !above || !below) return {};
+  double least_px = INFINITY;
+  const PaletteColour own = paletteColourOf(curve.color, scene.paper());
+  for (const PaletteColour& other : ends.others)
+    least_px = std::min(least_px, thicknessIn(own, other, *above - *below));
+  return least_px;
+}
+
+/// The bottom-out above a curve's end. The stroke rises there if the pixels are nearer to what its own line
+/// would show than to what the plot's line shows, and are not in the colour of another curve that ends there.
+std::optional<LostBottomOut> bottomOutAt(const Curve& curve, const std::vector<Curve>& curves,
+                                         const PlotScene& scene) {
+  const Ends ends = endsBeside(curve, curves, scene.paper());
+  const PlotArea& area = scene.area();
+  const ColourOnArea& coverage = scene.coverageOf(curve.color);
   const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
   const double least_px = std::max(kLeastHeight * height, 3 * w);
   if (ends.uppermost - area.frame.y0 < least_px) return {};
@@ -134,13 +221,14 @@ std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const Co
   const Thickness seen = probedAt(x);
   const Thickness line =
       lineBelow(lane, ends.lowest + margin, ownLine(coverage, area, x, w + 2), area.frame, margin);
+  const auto own_px = ownThickness(curve, ends, x, probe - probed, probe, scene);
   const auto isBottomOut = [&](const Thickness& thickness) {
-    return thickness.usual >= kLeastOfCurve * w && thickness.usual <= kMostOfCurve * w + 1 &&
-           standsOut(thickness, line, w);
+    const double more_px = own_px.value_or(thickness.usual - line.usual);
+    return more_px >= kNearer * (w - line.usual) && thickness.usual <= kMostOfCurve * w + 1 &&
+           standsOut(more_px, thickness, line, w);
   };
   if (!isBottomOut(seen)) return {};
-  const double top =
-      lane.top(probe, std::max(0.5 * (seen.usual + line.usual), 0.8 * kLeastOfCurve * w), 2 * w + 3);
+  const double top = lane.top(probe, 0.5 * (seen.usual + line.usual), 2 * w + 3);
   if (ends.uppermost - top < least_px) return {};
   // If only the corner is thicker, there is no bottom-out.
   if (!isBottomOut(Thickness::between(lane, top, probe).value_or(seen))) return {};
@@ -150,32 +238,36 @@ std::optional<LostBottomOut> bottomOutAt(const Curve& curve, Ends ends, const Co
   return LostBottomOut{lane.middle(top, probe), curve.end().y, atFrame};
 }
 
-/// Row where the vertical rise at the end of a curve begins; the end's own row without one.
-double startOfRise(const Curve& curve) {
+/// Number of points of a curve's vertical end on a line of the plot that another curve's colour explains.
+std::size_t pointsOfOthers(const Curve& curve, const std::vector<Curve>& curves, const PlotScene& scene) {
+  const double w = curve.thickness_px, riseStart = startOfRise(curve);
   const Point end = curve.end();
-  double riseStart = end.y;
-  for (auto p = curve.points.rbegin(); p != curve.points.rend() && std::abs(p->x - end.x) <= kPlumb_px; ++p)
-    riseStart = std::max(riseStart, p->y);
-  return riseStart;
+  if (curve.fromVector || w <= 0 || !isAtOneOf(scene.area().columns_px, end.x, w + 2)) return 0;
+  const auto own_px = ownThickness(curve, endsBeside(curve, curves, scene.paper()), end.x, end.y,
+                                   riseStart - 1.5 * w - 2, scene);
+  if (!own_px || *own_px >= kNearer * w) return 0;
+  const auto isStart = [&](Point p) { return p.y >= riseStart; };
+  return static_cast<std::size_t>(std::find_if(curve.points.rbegin(), curve.points.rend(), isStart) -
+                                  curve.points.rbegin());
 }
 
-/// Returns true if the right ends of two curves are on one lane.
-bool endTogether(const Curve& a, const Curve& b) {
-  return std::abs(a.end().x - b.end().x) <= 2 * a.thickness_px + 4;
-}
-
-/// The bottom-out of another curve of the same colour, if this one ends beside it: the strokes of one button
-/// separate there.
+/// The bottom-out of another curve, if this one ends beside it: strokes of one colour separate there, and a
+/// press reaches the force from which its release comes back, hidden by the release.
 std::optional<LostBottomOut> sharedBottomOut(const Curve& curve, const std::vector<Curve>& curves,
-                                             const ColourOnArea& coverage, const PlotArea& area) {
+                                             const PlotScene& scene) {
+  const PlotArea& area = scene.area();
   const double least_px = std::max(kLeastHeight * area.frame.height(), 3 * curve.thickness_px);
   for (const Curve& other : curves) {
-    if (&other == &curve || other.color != curve.color || !endTogether(curve, other)) continue;
+    if (&other == &curve || !endTogether(curve, other)) continue;
+    const bool hidden = other.color != curve.color;
+    if (hidden && (curve.fromVector || curves.size() != 2 || !runsAbove(curve, other))) continue;
+    if (hidden && startOfRise(curve) - curve.end().y > least_px) continue;  // not hidden
     const LostBottomOut bottomOut{other.end().x, curve.end().y, other.end().y};
     const double riseStart = startOfRise(other);
     if (riseStart - bottomOut.top < least_px || bottomOut.riseStart - bottomOut.top < least_px) continue;
-    const auto between = Thickness::between({coverage, area, bottomOut.x}, riseStart, bottomOut.riseStart);
-    if (!between || between->usual >= kLeastOfCurve * curve.thickness_px) return bottomOut;
+    const auto between = Thickness::between({scene.coverageOf(curve.color), area, bottomOut.x}, riseStart,
+                                            bottomOut.riseStart);
+    if (hidden || !between || between->usual >= kNearer * curve.thickness_px) return bottomOut;
   }
   return {};
 }
@@ -229,19 +321,18 @@ void addLostBottomOuts(std::vector<CurveTrace>& traces, const PlotScene& scene) 
     if (trace.points_px.size() < 2) return;
     curves.push_back(curveOnArea(trace, area));
   }
-  std::vector<std::optional<LostBottomOut>> bottomOuts(traces.size());
   measureThickness(curves, scene);
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const ColourOnArea& coverage = scene.coverageOf(traces[i].color);
-    if (!coverage.distinct() || curves[i].thickness_px <= 0) continue;
-    Ends ends{curves[i].end().y, curves[i].end().y};
-    for (const Curve& other : curves)
-      if (endTogether(curves[i], other)) {
-        if (other.color == curves[i].color) ends.uppermost = std::min(ends.uppermost, startOfRise(other));
-        ends.lowest = std::max(ends.lowest, other.end().y);
-      }
-    bottomOuts[i] = bottomOutAt(curves[i], ends, coverage, area);
-    if (!bottomOuts[i]) bottomOuts[i] = sharedBottomOut(curves[i], curves, coverage, area);
+    const std::size_t count = pointsOfOthers(curves[i], curves, scene);
+    if (count == 0) continue;
+    dropEnd(traces[i], count, true);
+    curves[i].points.resize(curves[i].points.size() - count);
+  }
+  std::vector<std::optional<LostBottomOut>> bottomOuts(traces.size());
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (!scene.coverageOf(traces[i].color).distinct() || curves[i].thickness_px <= 0) continue;
+    bottomOuts[i] = bottomOutAt(curves[i], curves, scene);
+    if (!bottomOuts[i]) bottomOuts[i] = sharedBottomOut(curves[i], curves, scene);
   }
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (!bottomOuts[i]) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Bottom-outs that were lost because they stand on a line of the plot: on a gridline, on the frame's edge, or
-// drawn as a separate path. Private to importer/trace.
+// Bottom-outs on a line of the plot, or drawn as a separate path: which of the pixels above a curve's end are
+// the stroke's, the plot's own line or another stroke's. Private to importer/trace.
 
 #include <vector>
 
@@ -10,8 +10,9 @@
 
 namespace detent::importer::trace {
 
-/// Extends every curve that ends at a bottom-out by it. A gridline is as thick above the curve's end as below
-/// it; a bottom-out holds about as many of the curve's pixels as the curve does.
+/// Extends every curve that ends at a bottom-out by it, and cuts a release that was led along the bottom-out
+/// of a press in another colour. A gridline is as thick above the curve's end as below it; a bottom-out is
+/// nearer to the curve's thickness, and in its colour.
 void addLostBottomOuts(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 }  // namespace detent::importer::trace

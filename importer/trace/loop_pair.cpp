@@ -264,28 +264,64 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
   return dashes;
 }
 
-/// Cuts the first dash of a bottom-out that continues in dashes, which is attached to the solid line: the
-/// length of a dash, as far as it is straight. Letters and leaders make no row of dashes in line with a
-/// bottom-out. Returns true if there are such dashes.
-bool cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeWidth) {
+/// Points of a path from which on it crosses paper: gaps of two pixels and more, in order.
+std::vector<std::size_t> gapsAlong(const std::vector<Point>& path, const Structure& s) {
+  constexpr std::size_t kLeastGap = 2;
+  constexpr float kOff_px = 1;  // from the nearest curve pixel
+  std::vector<std::size_t> gaps;
+  std::size_t bare = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const int x = static_cast<int>(std::lround(path[i].x)), y = static_cast<int>(std::lround(path[i].y));
+    const bool paper = s.gapDistance.inside(x, y) && s.gapDistance.at(x, y) > kOff_px &&
+                       s.explained.at(x, y) <= 0.3F * s.curveLevel;
+    bare = paper ? bare + 1 : 0;
+    if (bare == kLeastGap) gaps.push_back(i + 1 - kLeastGap);
+  }
+  return gaps;
+}
+
+/// Number of points of a path before the first dash of a bottom-out that continues in dashes from `solid` on;
+/// that dash is attached to the solid line: the length of a dash, as far as it is straight. Letters and
+/// leaders make no row of dashes in line with a bottom-out. nullopt without such dashes.
+std::optional<std::size_t> pointsBeforeDashes(const std::vector<Point>& path, std::size_t solid,
+                                              const Structure& s, double strokeWidth) {
   constexpr std::size_t kLeastDashes = 2;
   constexpr double kAlike = 3;  // times the shortest
   const auto tail = static_cast<std::size_t>(8 * strokeWidth + 6);
-  if (path.size() < 3 * tail) return false;
-  const Point end = path.back(), before = path[path.size() - 1 - tail];
+  if (solid < 3 * tail) return {};
+  const Point end = path[solid - 1], before = path[solid - 1 - tail];
   const double run = distance(end, before);
-  if (!(run > 0) || before.y - end.y < 0.9 * run) return false;  // not steep
+  if (!(run > 0) || before.y - end.y < 0.9 * run) return {};  // not steep
   const Point ahead = (1 / run) * (end - before);
-  std::vector<double> dashes = dashesBeyond(end, ahead, s, strokeWidth);
-  if (dashes.size() < kLeastDashes) return false;
+  const std::vector<double> dashes = dashesBeyond(end, ahead, s, strokeWidth);
+  if (dashes.size() < kLeastDashes) return {};
   const auto [shortest, longest] = std::minmax_element(dashes.begin(), dashes.end());
-  if (*shortest < 2 * strokeWidth || *longest > kAlike * *shortest) return false;
-  std::size_t kept = path.size();
+  if (*shortest < 2 * strokeWidth || *longest > kAlike * *shortest) return {};
+  std::size_t kept = solid;
   while (kept > tail && distance(path[kept - 1], end) < *longest &&
          std::abs(cross(path[kept - 1] - end, ahead)) <= strokeWidth + 1)
     --kept;
-  path.resize(kept);
-  return true;
+  return kept;
+}
+
+/// Cuts a path where its bottom-out continues in dashes, over which it may have been led; before the first
+/// gap that is followed by a row of them. Returns true if there are such dashes.
+bool cutDashedEnd(std::vector<Point>& path, const Structure& s, double strokeWidth, const Box& frame) {
+  constexpr double kLast = 0.1;  // share of the frame's width: the part that may be the bottom-out
+  constexpr std::size_t kGapsBefore =
+      2;  // more of them: the whole stroke is dashed, and so is its bottom-out
+  std::vector<std::size_t> ends = gapsAlong(path, s);
+  const auto last = std::ranges::find_if(
+      ends, [&](std::size_t at) { return path[at].x > path.back().x - kLast * frame.width(); });
+  if (last - ends.begin() > static_cast<std::ptrdiff_t>(kGapsBefore)) return false;
+  ends.erase(ends.begin(), last);
+  ends.push_back(path.size());
+  for (const std::size_t solid : ends)
+    if (const auto kept = pointsBeforeDashes(path, solid, s, strokeWidth)) {
+      path.resize(*kept);
+      return true;
+    }
+  return false;
 }
 
 /// Indices of two points at which two lines touch.
@@ -459,8 +495,8 @@ class PairSearch {
 
   PlanePair parted() {
     PlanePair pair;
-    pair.bottomOutsCut = cutHangingDash(a_, structure_, stroke_);
-    pair.bottomOutsCut = cutHangingDash(b_, structure_, stroke_) || pair.bottomOutsCut;
+    pair.bottomOutsCut = cutDashedEnd(a_, structure_, stroke_, plane_.frame);
+    pair.bottomOutsCut = cutDashedEnd(b_, structure_, stroke_, plane_.frame) || pair.bottomOutsCut;
     pair.ownRelease_px = ownOfSecond();
     pair.locked = locked_;
     if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
@@ -580,6 +616,9 @@ PlanePair findPair(const Structure& structure, const WorkPlane& plane) {
   // With one stroke alone, or a path left over, and many remaining pixels the other may be dashed, so gaps
   // must cost less.
   const double much = 0.15 * plane.frame.width();
+  // Dashes that continue the bottom-outs are what remains; with gaps that cost less, strokes would be led
+  // over them, and from one row of dashes to the other.
+  if (!pair.release.empty() && pair.bottomOutsCut) return pair;
   if ((!pair.release.empty() && pair.further_px < much) || solid.leftOver_px() < much) return pair;
   PairSearch dashed(structure, plane, GapPrice{0.1F, 0.1F}, 0.05F);
   if (!dashed.run() || dashed.explained_px() < solid.explained_px() + much || !dashed.secondIsDashed())

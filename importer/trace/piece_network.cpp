@@ -34,7 +34,7 @@ constexpr double longestBreak = 0.08;       // share of the diagonal, between tw
 constexpr double timesTheBreak = 2;         // each line is at least this many times as long
 constexpr double nearlyTouching = 0.004;    // share of the diagonal; closer ends have no direction of the gap
 constexpr double directionStretch = 0.004;  // share of the diagonal
-constexpr double facing_deg = 25;           // between the directions of ends that face each other
+constexpr double facing_deg = 50;           // turned into the gap and out of it, together
 constexpr double mostOwn = 0.15;            // share of the width, not shared with earlier ones
 
 double angleBetween_deg(Point a, Point b) {
@@ -45,7 +45,7 @@ double angleBetween_deg(Point a, Point b) {
 /// lines.
 bool face(Point here, Point ahead, Point there, Point back) {
   const Point away = there - here;
-  return angleBetween_deg(ahead, away) <= facing_deg && angleBetween_deg(back, -1.0 * away) <= facing_deg;
+  return angleBetween_deg(ahead, away) + angleBetween_deg(back, -1.0 * away) <= facing_deg;
 }
 
 /// Direction out of a line's first or last point over a short stretch, because the last segment may be as

@@ -170,8 +170,11 @@ class PieceMaker {
     const bool loop = distance(line.front(), line.back()) < 1e-6;
     if (loop && letter) return;
     if (line.size() > 2 && onlyLongAxisParallel(line, tolerance, letterSize * plane_.diagonal()) &&
-        !isStraight(line, tolerance))
+        !isStraight(line, tolerance)) {
+      for (std::size_t i = 1; i < line.size(); ++i)
+        boxSides_.push_back({.points = {line[i - 1], line[i]}, .color = color, .width_px = width_px});
       return;
+    }
     Box window = region_;
     if (path.clip) window = window.common(*path.clip);
     if (window.empty()) return;
@@ -201,7 +204,7 @@ class PieceMaker {
     joinSteps();
     joinDashes();
     for (LinePiece& piece : pieces_)
-      if (piece.onGridLine && beginsWhereAStrokeEnds(piece)) piece.onGridLine = false;
+      if (piece.onGridLine && beginsWhereAStrokeEnds(piece) && !isHidden(piece)) piece.onGridLine = false;
     return std::move(pieces_);
   }
 
@@ -227,6 +230,21 @@ class PieceMaker {
     return std::ranges::any_of(std::array{piece.points.front(), piece.points.back()}, [&](Point end) {
       return end.y > inside.y0 && end.y < inside.y1 && endsAt(end);
     });
+  }
+
+  /// Returns true for a vertical piece all of which a line of the plot shows as well: in its colour, at least
+  /// as thick, and longer. Nobody sees whether it is there.
+  bool isHidden(const LinePiece& piece) const {
+    constexpr double leastThick = 0.9, longer = 1.05;  // times the piece's
+    const Box own = boundsOf(piece.points);
+    const auto hides = [&](const LinePiece& line) {
+      const Box box = boundsOf(line.points);
+      return !line.dashed && line.color == piece.color && line.width_px >= leastThick * piece.width_px &&
+             std::max(std::abs(box.x0 - own.x0), std::abs(box.x1 - own.x1)) < 0.5 * piece.width_px &&
+             box.height() >= longer * own.height() && box.y0 <= own.y0 + piece.width_px &&
+             box.y1 >= own.y1 - piece.width_px;
+    };
+    return std::ranges::any_of(pieces_, hides) || std::ranges::any_of(boxSides_, hides);
   }
 
   /// Drawing of a line, and the size (share of the plot's diagonal) below which it is a letter.
@@ -326,6 +344,7 @@ class PieceMaker {
   const std::vector<Box>& masks_;
   Box region_;
   std::vector<LinePiece> pieces_;
+  std::vector<LinePiece> boxSides_;  ///< of frames and boxes, which are no pieces
   std::vector<Dash> dashes_;
 };
 

@@ -766,6 +766,58 @@ TEST_CASE("A frame in a curve's colour is no bottom-out of a curve that runs int
   CHECK(traces[0].points_px.back().y > plot.at(1, 0.1).y);
 }
 
+TEST_CASE("A bottom-out thinner than its curve is one, where only paper lies below it", "[trace]") {
+  const double thickness_px = GENERATE(2.8, 1.5);
+  Plot plot(700, 430);
+  plot.grid(8, 6, kGrey, 1);
+  CurveTrace stroke;
+  stroke.points_px = plot.at(loopEndingAt(0.7).press), stroke.color = kBlack;
+  plot.line(stroke.points_px, 5, kBlack);
+  plot.line({stroke.points_px.back(), plot.at(0.7, 1)}, thickness_px, kBlack);
+  std::vector<CurveTrace> traces{stroke};
+  trace::addLostBottomOuts(traces, plot.scene());
+  CHECK((traces[0].points_px.back().y < plot.at(0, 0.97).y) == (thickness_px > 2));
+}
+
+TEST_CASE("A bottom-out belongs to the stroke in whose colour it is drawn, also on a line of the plot",
+          "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(8, 6, kGrey, 1);
+  plot.line(plot.at({{1, 0}, {1, 1}}), 2, kGrey);
+  const Loop loop = loopEndingAt(1);
+  CurveTrace press, release;
+  press.points_px = plot.at(loop.press), press.color = kRed;
+  release.points_px = plot.at(loop.release), release.color = kBlack;
+  plot.line(release.points_px, 2, kBlack);
+  plot.line(press.points_px, 2, kRed);
+  plot.line({press.points_px.back(), plot.at(1, 0.9)}, 2, kRed);
+  // The release was led along the press's bottom-out.
+  const Point end = release.points_px.back();
+  for (double y = end.y; y > plot.at(0, 0.7).y; y -= 1) release.points_px.push_back({end.x, y});
+  std::vector<CurveTrace> traces{press, release};
+  trace::addLostBottomOuts(traces, plot.scene());
+  CHECK(std::abs(traces[0].points_px.back().y - plot.at(0, 0.9).y) < 3);
+  CHECK(std::abs(traces[1].points_px.back().y - end.y) < 3);
+}
+
+TEST_CASE("A press reaches the force from which its release comes back, though the release hides it",
+          "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(8, 6, kGrey, 1);
+  const Loop loop = loopEndingAt(0.7);
+  CurveTrace press, release;
+  press.points_px = plot.at(loop.press), press.color = kRed;
+  release.points_px = plot.at(loop.release), release.color = kBlue;
+  plot.line(press.points_px, 2, kRed);
+  plot.line(release.points_px, 2, kBlue);
+  plot.line({release.points_px.back(), plot.at(0.7, 0.9)}, 2, kBlue);
+  for (double y = release.points_px.back().y; y > plot.at(0, 0.9).y; y -= 1)
+    release.points_px.push_back({plot.at(0.7, 0).x, y});
+  std::vector<CurveTrace> traces{press, release};
+  trace::addLostBottomOuts(traces, plot.scene());
+  CHECK(std::abs(traces[0].points_px.back().y - plot.at(0, 0.9).y) < 3);
+}
+
 TEST_CASE("A stroke followed along the axis ends where it came down to it, unless it is drawn on there",
           "[trace]") {
   const double latched = 0.42;

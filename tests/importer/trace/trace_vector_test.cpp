@@ -438,7 +438,7 @@ TEST_CASE("a bottom-out drawn on its own belongs to both strokes; a thin continu
   for (const CurveTrace& trace : marked.traced()) CHECK(trace.points_px.back().y > at(0, top + 0.02).y);
 }
 
-TEST_CASE("a bottom-out drawn on its own over a gridline begins where a stroke ends; the gridline does not") {
+TEST_CASE("a bottom-out on a gridline begins where a stroke ends, if it is seen; the gridline does not") {
   const Polyline down = curve(releaseForce, 0, 0.75), up = curve(pressForce, 0, 0.75);
   Drawing drawing;
   drawing.stroke(up);
@@ -452,8 +452,32 @@ TEST_CASE("a bottom-out drawn on its own over a gridline begins where a stroke e
   const double bump = highest();
   CHECK(bump > at(0, 0.7).y);
   drawing.stroke({at(0.75, pressForce(0.75)), at(0.75, 0.9)});
+  CHECK(highest() == bump);  // as thick as the gridline and in its colour: nobody sees it
+  drawing.width = 2.3;
+  drawing.stroke({at(0.75, pressForce(0.75)), at(0.75, 0.92)});
   REQUIRE(drawing.traced().size() == 2);
-  CHECK(highest() == Approx(at(0, 0.9).y).margin(0.5));
+  CHECK(highest() == Approx(at(0, 0.92).y).margin(0.5));
+}
+
+TEST_CASE("a bottom-out drawn over a gridline of another colour belongs to its stroke") {
+  Drawing drawing;
+  drawing.color = {200, 30, 30};
+  drawing.stroke(curve(pressForce, 0, 0.75));
+  drawing.stroke({at(0.75, pressForce(0.75)), at(0.75, 0.9)});
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 1);
+  CHECK(traces.front().points_px.back().y == Approx(at(0, 0.9).y).margin(0.5));
+}
+
+TEST_CASE("a corner left open between a slope and a level line is bridged") {
+  Drawing drawing;
+  drawing.stroke(press);
+  const double level = 0.3;
+  drawing.stroke({at(0, 0.1), at(0.5, 0.13), at(0.6, level - 0.006)});
+  drawing.stroke({at(0.61, level), at(0.95, level + 0.02)});
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  CHECK(strokeOf(traces, Stroke::release).points_px.back().x == Approx(at(0.95, 0).x).margin(0.5));
 }
 
 TEST_CASE("curves are cut where the document clips them") {
