@@ -19,8 +19,9 @@ class ExportController : public QObject {
   explicit ExportController(const ControllerContext& context, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
-  /// CSV with decimal commas, and semicolons between the fields.
+  /// CSV at even steps or at given travels, which a dialogue requests.
   void csvAt(DocumentTab& tab);
+  /// CSV with decimal commas, and semicolons between the fields.
   void semicolonCsv(DocumentTab& tab);
   /// The graph for printing; a dialogue requests the settings.
   void graph(DocumentTab& tab);

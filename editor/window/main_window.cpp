@@ -695,7 +695,8 @@ void MainWindow::restoreWindow() {
     resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
   firstState_ = saveState(stateVersion);
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
-  inspector_px_ = at_.settings.value("window/inspector_px").toInt();
+  const int inspector_px = at_.settings.value("window/inspector_px").toInt();
+  if (inspector_px <= mostForInspector * screen()->availableSize().width()) inspector_px_ = inspector_px;
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
 }
