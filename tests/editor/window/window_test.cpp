@@ -378,7 +378,10 @@ class WindowTest : public QObject {
                  qPrintable(keys + ": " + taken.value(keys) + " and " + action->objectName()));
         taken.insert(keys, action->objectName());
       }
+    rig.scale(1.5);
+    QVERIFY(rig.action("undo")->text().contains("Scale"));  // in the menu, not in a list to look things up
     for (const ShortcutRow& row : rig.window->shortcuts()) {
+      QVERIFY2(!row.name.contains("Scale force") && !row.name.contains(u'…'), qPrintable(row.name));
       QVERIFY(!row.name.isEmpty() && !row.keys.isEmpty() && !row.group.isEmpty());
       QVERIFY2(!row.name.contains('&'), qPrintable(row.name));
     }
@@ -1294,6 +1297,47 @@ class WindowTest : public QObject {
     }
   }
 
+  void aBrokenWidthIsNoWidth() {
+    constexpr int wide_px = 391;
+    const auto widthAfter = [&](const QVariant& stored) {
+      Rig rig(folder_->path());
+      rig.settings.setValue("window/inspector_px", stored);
+      rig.window.reset();
+      Rig again(folder_->path());
+      again.window->files().open({sample("buttons/B.button.json")});
+      QTest::qWait(60);
+      return again.window->findChild<QDockWidget*>("inspectorDock")->width();
+    };
+    const int first_px = widthAfter({});
+    QVERIFY(std::abs(widthAfter(wide_px) - wide_px) <= 2);
+    for (const QVariant& broken : {QVariant(1000000), QVariant(-5), QVariant("wide")})
+      QVERIFY2(std::abs(widthAfter(broken) - first_px) <= 2, qPrintable(broken.toString()));
+  }
+
+  // A page that is looked at does not change where an unsaved button is proposed to be saved.
+  void filesAreSavedWhereTheLastOneWasSaved() {
+    Rig rig(folder_->path());
+    for (const char* name : {"saved", "pages", "batch", "results"}) QVERIFY(QDir(at(".")).mkdir(at(name)));
+    rig.action("new")->trigger();
+    rig.prompts.saveAnswers = {at("saved/one.csv")};
+    rig.action("exportCsv")->trigger();
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), at("pages/b.button.json")));
+    rig.window->files().open({at("pages/b.button.json")});
+    rig.action("new")->trigger();
+    rig.prompts.saveAnswers = {QString()};
+    rig.action("save")->trigger();
+    QCOMPARE(QFileInfo(rig.prompts.lastSuggested).absolutePath(), at("saved"));
+    // The folders of the batch are kept, too.
+    rig.action("importMany")->trigger();
+    auto* batch = rig.window->findChild<QDialog*>("batchDialog");
+    rig.prompts.saveAnswers = {at("batch"), QString()};
+    for (const char* folder : {"pages", "batch"}) {
+      batch->findChild<QPushButton*>("batchFolder")->click();
+      QCOMPARE(rig.prompts.lastFolder, at(folder));
+    }
+    batch->close();
+  }
+
   void theTabsOfTheLastSessionComeBack() {
     const QString b = at("b.button.json"), c = at("c.button.json");
     QVERIFY(QFile::copy(sample("buttons/B.button.json"), b));
@@ -1702,7 +1746,16 @@ class WindowTest : public QObject {
     type(Qt::Key_Return, "3.9", Qt::Key_Return);
     auto* editor = rig.window->findChild<QLineEdit*>("valueEditor");
     QVERIFY(editor && editor->isVisible());
-    QVERIFY(!rig.window->findChild<QLabel*>("selectionTrouble")->text().isEmpty());
+    auto* trouble = rig.window->findChild<QLabel*>("selectionTrouble");
+    QVERIFY(!trouble->text().isEmpty());
+    for (const Appearance theme : {Appearance::dark, Appearance::light}) {
+      rig.view.setAppearance(theme);
+      QCoreApplication::processEvents();
+      QCOMPARE(trouble->palette().color(QPalette::WindowText),
+               graphColors(theme == Appearance::dark).refused);
+    }
+    rig.view.setAppearance(Appearance::system);
+    QVERIFY(editor->isVisible());
     QTest::keyClick(editor, Qt::Key_Escape);
     QVERIFY(rig.document().button() == kept);
   }
