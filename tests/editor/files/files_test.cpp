@@ -206,7 +206,7 @@ class FilesTest : public QObject {
     QCOMPARE(RecentFiles(later).paths(), recent.paths());
   }
 
-  void filesOfOneNameAreToldApartByTheirFolders() {
+  void filesOfOneNameShowTheirFolders() {
     QCOMPARE(distinctNames({"/a/kailh/plot.png", "/a/cherry/plot.png", "/b/cherry/plot.png", "/a/one.pdf"}),
              QStringList({"kailh/plot.png", "a/cherry/plot.png", "b/cherry/plot.png", "one.pdf"}));
     QCOMPARE(distinctNames({"/plot.png", "/a/plot.png"}), QStringList({"/plot.png", "a/plot.png"}));

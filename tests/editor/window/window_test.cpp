@@ -379,7 +379,7 @@ class WindowTest : public QObject {
         taken.insert(keys, action->objectName());
       }
     rig.scale(1.5);
-    QVERIFY(rig.action("undo")->text().contains("Scale"));  // in the menu, not in a list to look things up
+    QVERIFY(rig.action("undo")->text().contains("Scale"));  // in the menu, not in the list of keys
     for (const ShortcutRow& row : rig.window->shortcuts()) {
       QVERIFY2(!row.name.contains("Scale force") && !row.name.contains(u'…'), qPrintable(row.name));
       QVERIFY(!row.name.isEmpty() && !row.keys.isEmpty() && !row.group.isEmpty());
