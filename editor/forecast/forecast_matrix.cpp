@@ -118,11 +118,13 @@ void ForecastMatrix::ask() {
   for (const ButtonDocument* document : documents_) buttons.push_back(document->button());
   progress_->show();
   stop_->show();
+  stop_->setEnabled(true);
   source_.request(std::move(buttons));
 }
 
 void ForecastMatrix::giveUp() {
   source_.cancel();
+  stop_->setEnabled(false);
   progress_->hide();
   stop_->hide();
 }

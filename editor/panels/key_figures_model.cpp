@@ -15,7 +15,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int figuresDragPause_ms = 80;
-constexpr int editedFigureDigits = 7;  // as many as a person types and an instrument reads
+constexpr int editedFigureDigits = 12;  // typed values are shown unchanged
 constexpr int shownDigits = 4;
 
 bool needsContact(KeyFigure figure) {

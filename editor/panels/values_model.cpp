@@ -13,7 +13,7 @@ namespace {
 
 constexpr int valuesDragPause_ms = 80;
 constexpr int shownValueDigits = 4;
-constexpr int editedValueDigits = 7;  // as many as a person types and an instrument reads
+constexpr int editedValueDigits = 12;  // typed values are shown unchanged
 
 // Keeps a column of short numbers narrow.
 QString wordPerLine(const QString& heading) { return QString(heading).replace(' ', '\n'); }

@@ -684,7 +684,7 @@ void MainWindow::restoreWindow() {
   firstState_ = saveState(stateVersion);
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
   const int inspector_px = at_.settings.value("window/inspector_px").toInt();
-  if (inspector_px <= mostForInspector * screen()->availableSize().width()) inspector_px_ = inspector_px;
+  if (inspector_px < screen()->availableSize().width()) inspector_px_ = inspector_px;
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
 }

@@ -381,7 +381,7 @@ class WindowTest : public QObject {
     rig.scale(1.5);
     QVERIFY(rig.action("undo")->text().contains("Scale"));  // in the menu, not in the list of keys
     for (const ShortcutRow& row : rig.window->shortcuts()) {
-      QVERIFY2(!row.name.contains("Scale force") && !row.name.contains(u'…'), qPrintable(row.name));
+      QVERIFY2(!row.name.contains("Undo:") && !row.name.contains(u'…'), qPrintable(row.name));
       QVERIFY(!row.name.isEmpty() && !row.keys.isEmpty() && !row.group.isEmpty());
       QVERIFY2(!row.name.contains('&'), qPrintable(row.name));
     }
@@ -1298,22 +1298,27 @@ class WindowTest : public QObject {
   }
 
   void aBrokenWidthIsNoWidth() {
-    constexpr int wide_px = 391;
+    constexpr int wide_px = 391, least_px = 150, most_px = 640;
     const auto widthAfter = [&](const QVariant& stored) {
-      Rig rig(folder_->path());
-      rig.settings.setValue("window/inspector_px", stored);
-      rig.window.reset();
+      {
+        Rig rig(folder_->path());
+        rig.window->resize(1280, 820);
+        rig.window->files().open({sample("buttons/B.button.json")});
+        QTest::qWait(60);
+        rig.window->close();
+        rig.settings.setValue("window/inspector_px", stored);
+      }
       Rig again(folder_->path());
       again.window->files().open({sample("buttons/B.button.json")});
-      QTest::qWait(60);
+      QTest::qWait(200);
       return again.window->findChild<QDockWidget*>("inspectorDock")->width();
     };
-    const int first_px = widthAfter({});
     QVERIFY(std::abs(widthAfter(wide_px) - wide_px) <= 2);
-    for (const QVariant& broken : {QVariant(1000000), QVariant(-5), QVariant("wide")})
-      QVERIFY2(std::abs(widthAfter(broken) - first_px) <= 2, qPrintable(broken.toString()));
+    for (const QVariant& broken : {QVariant(1000000), QVariant(-5), QVariant("wide")}) {
+      const int width_px = widthAfter(broken);
+      QVERIFY2(width_px > least_px && width_px < most_px, qPrintable(QString::number(width_px)));
+    }
   }
-
   // A page that is looked at does not change where an unsaved button is proposed to be saved.
   void filesAreSavedWhereTheLastOneWasSaved() {
     Rig rig(folder_->path());
