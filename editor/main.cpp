@@ -53,8 +53,7 @@ bool screenMissing(const QStringList& words) {
 int run(QApplication& app) {
   const Arguments arguments = argumentsFrom(QCoreApplication::arguments().mid(1));  // without Qt's own
   QSettings settings;
-  if (const QString language = settings.value(languageKey).toString(); !language.isEmpty())
-    QLocale::setDefault(QLocale(language));
+  QLocale::setDefault(chosenLocale(settings));
   installTranslation(app, QLocale());
   ViewSettings view;
   restoreView(view, settings);

@@ -89,7 +89,6 @@ void paintBottomOut(QPainter& painter, const PlotMapping& map, const GraphScene&
 }
 
 constexpr double bandOpacity = 0.22, referenceOpacity = 0.7;
-constexpr int longestReference = 24;  // most characters of the reference's name in the legend
 
 void drawPolylines(QPainter& painter, const std::vector<QPolygonF>& lines) {
   for (const QPolygonF& line : lines) painter.drawPolyline(line);
@@ -130,7 +129,7 @@ void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& sce
 void paintReference(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   drawStrokes(painter, map, scene.reference->state.graph, [&](Stroke stroke) {
     QPen pen = strokePen(stroke, scene.colors, 2);
-    pen.setColor(withAlpha(scene.colors.tracedPoint, referenceOpacity));
+    pen.setColor(withAlpha(scene.colors.resetPoint, referenceOpacity));  // the page's own curves are grey
     return pen;
   });
 }
@@ -539,7 +538,8 @@ struct LegendEntry {
 };
 
 /// Entries of the legend; empty for a single stroke.
-std::vector<LegendEntry> legendOf(const GraphScene& scene) {
+std::vector<LegendEntry> legendOf(const QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  constexpr double longestName = 0.4;  // of the plot's width
   std::vector<LegendEntry> entries;
   const auto stroke = [&](const QString& name, Stroke which) {
     entries.push_back({name, strokePen(which, scene.colors, 2)});
@@ -550,8 +550,10 @@ std::vector<LegendEntry> legendOf(const GraphScene& scene) {
     entries.push_back({tr("units ± 1 SD"),
                        QPen(withAlpha(scene.colors.press, bandOpacity), 8, Qt::SolidLine, Qt::FlatCap)});
   if (scene.reference)
-    entries.push_back({shortened(scene.reference->name, longestReference),
-                       QPen(withAlpha(scene.colors.tracedPoint, referenceOpacity), 2)});
+    entries.push_back(
+        {QFontMetricsF(painter.font())
+             .elidedText(scene.reference->name, Qt::ElideMiddle, longestName * map.clip_px.width()),
+         QPen(withAlpha(scene.colors.resetPoint, referenceOpacity), 2)});
   return entries;
 }
 
@@ -770,8 +772,9 @@ void paintMeasurement(QPainter& painter, const PlotMapping& map, const GraphScen
   const QRectF box = tagBox(painter, a, lines.join(u'\n'), map.clip_px);
   const QPointF aside((b.x() < a.x() ? 1 : -1) * (box.width() / 2 + measureGap_px),
                       (b.y() < a.y() ? -1 : 1) * (box.height() / 2 + measureGap_px));
-  paintTag(painter, QPointF((a.x() + b.x()) / 2, (a.y() + b.y()) / 2) + aside, lines.join(u'\n'),
-           scene.colors.text, scene.colors.background, map.clip_px);
+  paintTag(painter, QPointF((a.x() + b.x()) / 2, (a.y() + b.y()) / 2) + aside,
+           lines.join(u'\n').replace('-', QChar(0x2212)), scene.colors.text, scene.colors.background,
+           map.clip_px);
 }
 
 void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -872,10 +875,10 @@ void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scen
 // Names the line styles and returns the box of the names; draws nothing for a single stroke.
 std::optional<QRectF> paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                                   const std::vector<QPointF>& strokes_px) {
-  const std::vector<LegendEntry> entries = legendOf(scene);
+  const std::vector<LegendEntry> entries = legendOf(painter, map, scene);
   if (entries.empty()) return {};
   const QFontMetricsF metrics(painter.font());
-  painter.setPen(Qt::NoPen);
+  painter.setPen(scene.colors.grid);  // with its border, the gridlines behind it are seen to go on
   painter.setBrush(withAlpha(scene.colors.background, 0.85));
   const QRectF box = legendBox(painter, map, entries, strokes_px);
   painter.drawRoundedRect(box.adjusted(-6, -3, 6, 3), 3, 3);

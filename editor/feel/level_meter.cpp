@@ -11,7 +11,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr double number_px = 58;
+constexpr double number_px = 58;  // of the words beside the bar
 
 double decibels(double level) {
   return level > 0 ? std::max(LevelMeter::lowest_dB, 20 * std::log10(level)) : LevelMeter::lowest_dB;
@@ -24,8 +24,8 @@ LevelMeter::LevelMeter(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Output level"));
   setToolTip(
       tr("<p>Output level, in dB of full scale: the bar is the peak of the last 20 ms; the line and the "
-         "number are the highest peak (held for 1.5 s).</p><p>LIM lights up while the limiter holds the "
-         "level at its ceiling: lower the gain to feel the button's true strength.</p>"));
+         "number are the highest peak (held for 1.5 s).</p><p>“limited” stands there while the limiter "
+         "holds the level at its ceiling: lower the gain to feel the button's true strength.</p>"));
 }
 
 QSize LevelMeter::sizeHint() const { return {220, 22}; }
@@ -72,8 +72,7 @@ void LevelMeter::paintEvent(QPaintEvent*) {
   QFont font = this->font();
   font.setPointSizeF(std::max(6.0, 0.85 * font.pointSizeF()));
   painter.setFont(font);
-  const double lim_px = painter.fontMetrics().horizontalAdvance(tr("LIM")) + 10.0;
-  const QRectF bar(0.5, 3.5, width() - number_px - lim_px - 6, height() - 7);
+  const QRectF bar(0.5, 3.5, width() - number_px - 6, height() - 7);
   const auto x = [&](double dB) {
     return bar.left() + (std::clamp(dB, lowest_dB, 0.0) - lowest_dB) / -lowest_dB * bar.width();
   };
@@ -93,18 +92,12 @@ void LevelMeter::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(x(peak_dB_), bar.top() + 1), QPointF(x(peak_dB_), bar.bottom() - 1));
   }
 
-  const QRectF lim(bar.right() + 6, bar.top(), lim_px, bar.height());
-  painter.setPen(colors.grid);
-  painter.setBrush(limited_ ? QBrush(colors.refused) : QBrush(Qt::NoBrush));
-  painter.drawRoundedRect(lim, 3, 3);
-  painter.setPen(limited_ ? QColor(Qt::white) : colors.axis);
-  painter.drawText(lim, Qt::AlignCenter, tr("LIM"));
-  painter.setPen(colors.text);
-  const QString number = peak_dB_ > lowest_dB
-                             ? tr("%1 dB").arg(fixedText(peak_dB_, 1).replace('-', QChar(0x2212)))
-                             : QString(QChar(0x2212)) + QChar(0x221E) + " dB";
-  painter.drawText(QRectF(lim.right(), 0, width() - lim.right(), height()), Qt::AlignRight | Qt::AlignVCenter,
-                   number);
+  painter.setPen(limited_ ? colors.refused : colors.text);
+  const QString words = limited_ ? tr("limited")
+                        : peak_dB_ > lowest_dB
+                            ? tr("%1 dB").arg(fixedText(peak_dB_, 1).replace('-', QChar(0x2212)))
+                            : tr("silent");
+  painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter, words);
 }
 
 }  // namespace detent::editor

@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFormLayout>
 #include <QLabel>
-#include <QScreen>
 
 #include "editor/document/described.h"
 
@@ -47,11 +46,6 @@ QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
   return row;
 }
 
-QSize onScreen(const QWidget& window, QSize wanted) {
-  constexpr QSize frame_px{8, 40};
-  return wanted.boundedTo(window.screen()->availableSize() - frame_px);
-}
-
 QStringList serialPorts() {
   QStringList ports;
   const QDir devices(QStringLiteral("/dev"));
@@ -61,10 +55,7 @@ QStringList serialPorts() {
   return ports;
 }
 
-QComboBox* comboBox(const QString& name, const QString& tip) {
-  auto* box = described(new QComboBox, name, tip);
-  return box;
-}
+QComboBox* comboBox(const QString& name, const QString& tip) { return described(new QComboBox, name, tip); }
 
 QComboBox* comboBoxOfNames(const QString& name, const QString& tip) {
   constexpr int leastCharacters = 12;

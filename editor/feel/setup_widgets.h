@@ -13,8 +13,6 @@ namespace detent::editor {
 
 /// The layout of a form on `page`: fields as wide as there is room, long rows wrapped.
 QFormLayout* setupForm(QWidget* page);
-/// First size of a window, no larger than its screen with a frame.
-QSize onScreen(const QWidget& window, QSize wanted);
 /// Combo box for texts of Detent: as wide as the longest.
 QComboBox* comboBox(const QString& name, const QString& tip);
 /// Combo box for names of devices and ports, which may be of any length.

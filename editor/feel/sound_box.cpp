@@ -10,6 +10,7 @@
 
 #include "editor/document/described.h"
 #include "editor/document/form_widgets.h"
+#include "editor/document/message_words.h"
 #include "editor/feel/feel_clock.h"
 #include "editor/feel/level_meter.h"
 #include "editor/quantity/quantity.h"
@@ -136,7 +137,8 @@ QString SoundBox::soundWords() const {
                 "itself. Until then, presses are tracked without sound.")
           .arg(QString::fromStdString(s.device));
     case SoundState::failed:
-      return tr("No audio output. Presses are tracked without sound. %1").arg(session_.player().trouble());
+      return tr("No audio output. Presses are tracked without sound. %1")
+          .arg(asSentence(session_.player().trouble()));
     case SoundState::on:
       break;
   }
@@ -152,7 +154,7 @@ QString SoundBox::soundWords() const {
 
 QString SoundBox::feltWords() const {
   const double felt_dB = session_.player().status().felt_dB;
-  if (session_.player().sound() != SoundState::on || !(felt_dB > 0)) return tr("felt –");
+  if (session_.player().sound() != SoundState::on || !(felt_dB > 0)) return {};
   const auto& profile = session_.profile();
   const bool measured = profile && profile->fullScale_dB;
   return tr("felt %1 dB").arg((measured ? QString() : QStringLiteral("≈ ")) + fixedText(felt_dB, 0));

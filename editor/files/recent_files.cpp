@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/recent_files.h"
 
+#include <algorithm>
 #include <QFileInfo>
 
 namespace detent::editor {
@@ -25,6 +26,19 @@ void RecentFiles::add(const QString& path) {
 void RecentFiles::remove(const QString& path) {
   QStringList all = paths();
   if (all.removeAll(QFileInfo(path).absoluteFilePath()) > 0) store(all);
+}
+
+QStringList distinctNames(const QStringList& paths) {
+  QStringList names;
+  for (const QString& path : paths) {
+    int parts = 1;
+    const auto alike = [&](const QString& other) {
+      return other != path && other.section('/', -parts) == path.section('/', -parts);
+    };
+    while (std::any_of(paths.begin(), paths.end(), alike)) ++parts;
+    names << path.section('/', -parts);
+  }
+  return names;
 }
 
 void RecentFiles::clear() { store({}); }

@@ -33,4 +33,7 @@ class RecentFiles : public QObject {
   QSettings& settings_;
 };
 
+/// Names of files, each with as many of its folders as tell it apart from the others.
+QStringList distinctNames(const QStringList& paths);
+
 }  // namespace detent::editor

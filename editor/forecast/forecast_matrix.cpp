@@ -81,6 +81,7 @@ void ForecastMatrix::setDocuments(const std::vector<ButtonDocument*>& documents)
   documents_ = documents;
   source_.cancel();  // otherwise an answer for the previous buttons could fill these rows
   const int others = std::max(0, static_cast<int>(documents_.size()) - 1);
+  table_->setVisible(others > 0);
   table_->clear();
   table_->setRowCount(others);
   table_->setColumnCount(others);
@@ -115,14 +116,17 @@ void ForecastMatrix::ask() {
   }
   std::vector<Button> buttons;
   for (const ButtonDocument* document : documents_) buttons.push_back(document->button());
+  progress_->show();
+  stop_->show();
   stop_->setEnabled(true);
   source_.request(std::move(buttons));
 }
 
 void ForecastMatrix::giveUp() {
   source_.cancel();
-  progress_->reset();
   stop_->setEnabled(false);
+  progress_->hide();
+  stop_->hide();
 }
 
 QTableWidgetItem* ForecastMatrix::cellOf(const playback::PredictedPair& pair) const {

@@ -125,6 +125,7 @@ void FindingsPanel::connectState() {
   const auto refreshSoon = [this] { soon_.start(); };
   connect(&state_, &ImportState::correctionsChanged, this, refreshSoon);
   connect(&state_, &ImportState::resultChanged, this, refreshSoon);
+  connect(&state_, &ImportState::graphsChanged, this, refreshSoon);
   connect(&state_, &ImportState::currentChanged, this, refreshSoon);
   connect(&state_, &ImportState::documentChanged, this, &FindingsPanel::refresh);
   connect(&settings_, &ViewSettings::changed, this, &FindingsPanel::refresh);
@@ -159,6 +160,9 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
     confidence_->setText(failed          ? tr("Last valid result (%1 % confidence)").arg(percent)
                          : report->doubt ? tr("Confidence %1 %: check before importing").arg(percent)
                                          : tr("Confidence %1 %").arg(percent));
+  else if (const auto ticked = graph.tickedCurves.size(); ticked > 0 && !state_.working())
+    confidence_->setText(ticked == 1 ? tr("1 switch will be imported")
+                                     : tr("%1 switches will be imported").arg(ticked));
   else
     confidence_->setText(state_.working() ? tr("Reading the graph …") : tr("Not readable yet"));
   const QString explanation = graph.last ? QString::fromStdString(graph.last->explanation) : QString();

@@ -540,7 +540,7 @@ void ImportDialog::Impl::showAccept() {
   const ImportGraph* graph = state.current();
   const bool usable =
       graph && graph->good && !(graph->last && graph->last->failure) && graph->isAcceptable(*graph->good);
-  accept->setText(ticked > 1 ? tr("&Import %1 graphs").arg(ticked) : tr("&Import"));
+  accept->setText(ticked > 1 ? tr("&Import %1 buttons").arg(ticked) : tr("&Import"));
   accept->setEnabled(ticked > 0 || usable);
   accept->setToolTip(ticked > 0 ? tr("Import the ticked graphs, each as a button of its own")
                                 : tr("Import this graph as a button (Ctrl+Enter)"));

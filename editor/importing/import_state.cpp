@@ -327,7 +327,8 @@ void ImportState::takeFacts(const DocumentFacts& facts) {
     return;
   }
   askForPages();
-  showPage(toSelect_ ? std::clamp(toSelect_->page, 1, facts.pages) : 1);
+  if (toSelect_ && (toSelect_->page < 1 || toSelect_->page > facts.pages)) toSelect_.reset();
+  showPage(toSelect_ ? toSelect_->page : 1);
 }
 
 void ImportState::askForPages() {

@@ -19,7 +19,7 @@ constexpr int nearCurve_px = 2,
               background_px = 9;   // half width of the search for a curve, and of its background
 constexpr int leastContrast = 60;  // levels of 255, in one channel
 
-/// The frame with a margin for its labels, within the page.
+/// The frame with room for its axes and titles, within the page.
 importer::Box around(const importer::Box& frame, const importer::Page& page) {
   const double room = margin * std::max(frame.width(), frame.height());
   return {std::max(0.0, frame.x0 - room), std::max(0.0, frame.y0 - room),

@@ -8,7 +8,6 @@
 #include <QHeaderView>
 #include <QScrollArea>
 
-#include "editor/document/csv_field.h"
 #include "editor/document/described.h"
 #include "editor/document/form_widgets.h"
 #include "editor/document/graph_colors.h"
@@ -43,6 +42,9 @@ QTableWidget* differencesTable() {
   table->setAlternatingRowColors(true);
   return table;
 }
+
+/// A field of a CSV line (RFC 4180), always quoted.
+QString quotedField(QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; }
 
 template <class Button>
 Button* button(const char* name, const QString& text, const QString& tip) {
@@ -426,15 +428,15 @@ bool ComparePanel::eventFilter(QObject* object, QEvent* event) {
 QString ComparePanel::tableText() const {
   QStringList heads{QStringLiteral("figure")};
   const std::size_t count = table_->columnCount() < 3 ? 0 : sides_.size();
-  for (std::size_t i = 0; i < count; ++i) heads << csvField(nameOf(*sides_[i]));
+  for (std::size_t i = 0; i < count; ++i) heads << quotedField(nameOf(*sides_[i]));
   for (std::size_t i = 1; i < count; ++i)
-    heads << csvField(nameOf(*sides_[i]) + QStringLiteral(" - ") + nameOf(*sides_[0]));
+    heads << quotedField(nameOf(*sides_[i]) + QStringLiteral(" - ") + nameOf(*sides_[0]));
   heads << QStringLiteral("unit");
   QStringList lines{heads.join(',')};
   for (int row = 0; row < table_->rowCount(); ++row) {
     QStringList fields;
     for (int column = 0; column < table_->columnCount(); ++column)
-      fields << csvField(table_->item(row, column)->text());
+      fields << quotedField(table_->item(row, column)->text());
     lines << fields.join(',');
   }
   return lines.join('\n') + '\n';

@@ -137,11 +137,11 @@ double inUnits(double value, Measure measure, const DisplayUnits& units) {
 }
 
 // Four significant digits, but no more decimals than a micrometre or a hundredth of a gram needs.
-QString number(double value) {
-  if (value == 0) return numberText(0);
-  const int digits = std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 4);
-  return fixedText(value, digits);
+int decimalsOf(double value) {
+  return value == 0 ? 0 : std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 4);
 }
+
+QString number(double value) { return fixedText(value, decimalsOf(value)); }
 
 const QString nothing = QStringLiteral("\u2013");
 
@@ -178,10 +178,13 @@ QString shownValue(std::optional<double> value, Measure measure, const DisplayUn
 QString shownDifference(const DifferenceRow& row, std::size_t other, const DisplayUnits& units) {
   const Value &first = row.values.front(), &second = row.values[other];
   if (!first || !second) return nothing;
-  const double difference = *second - *first;
-  QString shown = shownValue(std::abs(difference), row.measure, units);
-  if (difference == 0) return shown;
-  return (difference > 0 ? QStringLiteral("+") : QStringLiteral("\u2212")) + shown;
+  const double difference = inUnits(*second - *first, row.measure, units);
+  // As exact as the larger of the two values is shown.
+  const double larger = inUnits(std::max(std::abs(*first), std::abs(*second)), row.measure, units);
+  const int decimals = row.measure == Measure::count ? 0 : decimalsOf(larger);
+  if (std::abs(difference) < 0.5 * std::pow(10, -decimals)) return numberText(0);
+  return (difference > 0 ? QStringLiteral("+") : QStringLiteral("\u2212")) +
+         fixedText(std::abs(difference), decimals);
 }
 
 QString shownUnit(Measure measure, const DisplayUnits& units) {

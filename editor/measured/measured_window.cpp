@@ -122,7 +122,7 @@ MeasuredWindow::MeasuredWindow(MeasuredContext context, QWidget* parent)
           [this] { filter_->findChild<QLineEdit*>("measuredWords")->setFocus(); });
   followDocuments();
   showChosen();
-  resize(first_px);
+  resize(first_px / 2);  // grows with the first library
 }
 
 // ---- the parts
@@ -434,7 +434,9 @@ void MeasuredWindow::take(const QString& path, const std::shared_ptr<const Measu
   // its index may belong to another switch in the new library
   if (reference_ && reference_->own) reference_.reset();
   table_.setSwitches(switches);
+  const bool grows = pages_->currentIndex() == 0 && !switches->switches.empty();
   pages_->setCurrentIndex(switches->switches.empty() ? 0 : 1);
+  if (grows) resize(size().expandedTo(first_px).boundedTo(screen()->availableSize()));
   listRequested();
   rank();
   followUnits();

@@ -11,9 +11,9 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
 #include "editor/document/names_in_sight.h"
+#include "editor/document/trouble_label.h"
 #include "editor/panels/figure_drawing.h"
 #include "editor/panels/key_figures_model.h"
 #include "editor/panels/value_delegate.h"
@@ -54,7 +54,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       about_(new QWidget),
       picture_(described(new QLabel, "keyFigurePicture")),
       meaning_(described(new QLabel, "keyFigureMeaning")),
-      trouble_(described(new QLabel, "keyFiguresTrouble")),
+      trouble_(new TroubleLabel("keyFiguresTrouble")),
       all_(described(new QCheckBox(tr("A&ll figures")), "allFigures",
                      tr("Show all key figures, not the most used alone"))),
       take_(described(new QPushButton(tr("&Apply")), "takeFigures",
@@ -71,9 +71,6 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   table_->verticalHeader()->hide();
   table_->setUpForNumbers();
   meaning_->setWordWrap(true);
-  trouble_->setWordWrap(true);
-  trouble_->setMargin(6);
-  trouble_->hide();
   solving_->setMargin(6);
   solving_->hide();
   patience_.setSingleShot(true);
@@ -102,11 +99,11 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
 
   connect(delegate_, &ValueDelegate::refused, this, &KeyFiguresPanel::showRefusal);
   connect(model_, &KeyFiguresModel::refused, this, &KeyFiguresPanel::showRefusal);
-  connect(model_, &KeyFiguresModel::accepted, this, [this] { setTrouble({}); });
+  connect(model_, &KeyFiguresModel::accepted, this, [this] { trouble_->say({}); });
   connect(model_, &KeyFiguresModel::previewChanged, this, &KeyFiguresPanel::showPreview);
   connect(model_, &KeyFiguresModel::solvingChanged, this, &KeyFiguresPanel::showSolving);
   connect(&patience_, &QTimer::timeout, solving_, &QLabel::show);
-  connect(&document, &ButtonDocument::changed, this, [this] { setTrouble(model_->conflict()); });
+  connect(&document, &ButtonDocument::changed, this, [this] { trouble_->say(model_->conflict()); });
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &KeyFiguresPanel::layOut);
   connect(table_, &ValueTable::editRefused, this, [this](const QModelIndex& cell) {
     if (const QString why = model_->absenceOf(cell); !why.isEmpty()) showRefusal(cell, why);
@@ -114,7 +111,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   connect(model_, &QAbstractItemModel::dataChanged, this, &KeyFiguresPanel::showMeaning);
   connect(model_, &QAbstractItemModel::dataChanged, this, &KeyFiguresPanel::layOut);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
-    setTrouble(model_->conflict());
+    trouble_->say(model_->conflict());
     showMeaning();
   });
   connect(all_, &QCheckBox::toggled, this, &KeyFiguresPanel::showRows);
@@ -210,7 +207,7 @@ void KeyFiguresPanel::showPreview() {
     table_->setFocus();
   take_->setEnabled(model_->preview().has_value());
   giveUp_->setEnabled(model_->anyWanted());
-  setTrouble(model_->conflict());
+  trouble_->say(model_->conflict());
 }
 
 void KeyFiguresPanel::showSolving() {
@@ -221,17 +218,8 @@ void KeyFiguresPanel::showSolving() {
   if (!patience_.isActive() && solving_->isHidden()) patience_.start();
 }
 
-void KeyFiguresPanel::setTrouble(const QString& why) {
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, graphColors(isDark(palette())).refused);
-  trouble_->setPalette(colors);
-  trouble_->setText(why);
-  trouble_->setAccessibleName(why);
-  trouble_->setVisible(!why.isEmpty());
-}
-
 void KeyFiguresPanel::showRefusal(const QModelIndex& index, const QString& why) {
-  setTrouble(why);
+  trouble_->say(why);
   table_->scrollTo(index);
 }
 

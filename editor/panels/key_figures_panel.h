@@ -14,6 +14,7 @@ class QPushButton;
 
 namespace detent::editor {
 
+class TroubleLabel;
 class KeyFiguresModel;
 class ValueDelegate;
 class ValueTable;
@@ -45,14 +46,14 @@ class KeyFiguresPanel : public QWidget {
   void showPreview();
   void layOut();
   void showRows();
-  void setTrouble(const QString& why);
   void showSolving();
 
   KeyFiguresModel* model_;
   ValueTable* table_;
   ValueDelegate* delegate_;
   QWidget* about_;
-  QLabel *picture_, *meaning_, *trouble_;
+  QLabel *picture_, *meaning_;
+  TroubleLabel* trouble_;
   QCheckBox* all_;
   QPushButton *take_, *giveUp_;
   QLabel* solving_;

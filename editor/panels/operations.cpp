@@ -19,6 +19,11 @@ QString tr(const char* text) { return QCoreApplication::translate("Operations", 
 
 Stroke strokeOf(double choice) { return choice < 0.5 ? Stroke::press : Stroke::release; }
 
+OperationField numberField(FieldKind kind, const QString& name, double value, double least, double most,
+                           const QString& tip = {}) {
+  return {name, kind, value, least, most, tip, {}};
+}
+
 OperationField strokeField(const OperationTarget& target) {
   OperationField field{tr("Stroke"), FieldKind::choice, 0, 0, 0, tr("Which curve is changed"), {tr("press")}};
   if (target.graph().release()) {
@@ -102,27 +107,12 @@ Operation addJumpOperation(const OperationTarget& target) {
                tr("From a new tactile point the force falls into a valley and returns to the curve; on the "
                   "release stroke it rises to a peak."),
                {strokeField(target),
-                {tr("At"),
-                 FieldKind::length,
-                 selectedPlace(target, 0.35 * travel),
-                 0,
-                 travel,
-                 tr("Displacement of the tactile point"),
-                 {}},
-                {tr("Width"),
-                 FieldKind::length,
-                 0.15 * travel,
-                 0,
-                 travel,
-                 tr("From the tactile point to where the curve goes on"),
-                 {}},
-                {tr("Drop"),
-                 FieldKind::force,
-                 0.2 * highestForce(target),
-                 0,
-                 10 * highestForce(target),
-                 tr("From the tactile force to the valley"),
-                 {}}},
+                numberField(FieldKind::length, tr("At"), selectedPlace(target, 0.35 * travel), 0, travel,
+                            tr("Displacement of the tactile point")),
+                numberField(FieldKind::length, tr("Width"), 0.15 * travel, 0, travel,
+                            tr("From the tactile point to where the curve goes on")),
+                numberField(FieldKind::force, tr("Drop"), 0.2 * highestForce(target), 0,
+                            10 * highestForce(target), tr("From the tactile force to the valley"))},
                {}};
   op.edit = [state = target.state](const Button& start, const Values& v) {
     return editOne(start, state, strokeOf(v[0]), [&](const StrokeCurve& curve) {
@@ -166,13 +156,8 @@ Operation mirrorOperation(const OperationTarget& target) {
   Operation op{tr("Mirror press to release"),
                tr("The release becomes the press curve, lowered by the hysteresis. Where the press force is "
                   "less than twice the hysteresis, the distance is reduced in proportion."),
-               {{tr("Hysteresis"),
-                 FieldKind::force,
-                 0.15 * high,
-                 0,
-                 10 * high,
-                 tr("How far the release lies below the press"),
-                 {}}},
+               {numberField(FieldKind::force, tr("Hysteresis"), 0.15 * high, 0, 10 * high,
+                            tr("How far the release lies below the press"))},
                {}};
   op.edit = [state = target.state](const Button& start, const Values& v) {
     return editGraph(start, state,
@@ -192,13 +177,8 @@ Operation removeReleaseOperation(const OperationTarget& target) {
 Operation scaleForceOperation(const OperationTarget& target) {
   Operation op{tr("Scale force"),
                tr("All forces of all states; damping follows."),
-               {{tr("Highest force"),
-                 FieldKind::force,
-                 target.values.highest_N,
-                 1e-4,
-                 100 * highestForce(target),
-                 tr("Of this state, after scaling"),
-                 {}}},
+               {numberField(FieldKind::force, tr("Highest force"), target.values.highest_N, 1e-4,
+                            100 * highestForce(target), tr("Of this state, after scaling"))},
                {}};
   op.edit = [high = target.values.highest_N](const Button& start, const Values& v) -> Result<Button> {
     if (v[0] == high) return start;
@@ -209,11 +189,11 @@ Operation scaleForceOperation(const OperationTarget& target) {
 
 Operation scaleTravelOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm();
-  Operation op{
-      tr("Scale travel"),
-      tr("All displacements of all states, with operating and reset points."),
-      {{tr("Travel"), FieldKind::length, travel, 1e-3, 100 * travel, tr("Of this state, after scaling"), {}}},
-      {}};
+  Operation op{tr("Scale travel"),
+               tr("All displacements of all states, with operating and reset points."),
+               {numberField(FieldKind::length, tr("Travel"), travel, 1e-3, 100 * travel,
+                            tr("Of this state, after scaling"))},
+               {}};
   op.edit = [travel](const Button& start, const Values& v) -> Result<Button> {
     if (v[0] == travel) return start;
     return scaleTravel(start, v[0] / travel);
@@ -238,14 +218,8 @@ Operation snapRatioOperation(const OperationTarget& target) {
   Operation op{
       tr("Snap ratio"),
       tr("(Tactile force − valley force) / tactile force. The tactile point stays, the valley moves."),
-      {choice.field,
-       {tr("Ratio"),
-        FieldKind::ratio,
-        ratio,
-        0.001,
-        5,
-        tr("Usual: 0.2 for a soft key, 0.6 for a snappy dome"),
-        {}}},
+      {choice.field, numberField(FieldKind::ratio, tr("Ratio"), ratio, 0.001, 5,
+                                 tr("Usual: 0.2 for a soft key, 0.6 for a snappy dome"))},
       {}};
   op.edit = [state = target.state, entries = choice.entries](const Button& start, const Values& v) {
     const auto entry = entryOf(entries, v[0]);
@@ -261,23 +235,14 @@ Operation refitOperation(const OperationTarget& target) {
   Operation op{tr("Refit curve"),
                tr("Fits the curves again to the traced points, with the number of pieces you choose. "
                   "Replaces edits by hand."),
-               {{tr("Pieces of the press"),
-                 FieldKind::count,
-                 pieces(target.graph().press()),
-                 1,
-                 200,
-                 tr("More follow the points closer, fewer are easier to shape"),
-                 {}}},
+               {numberField(FieldKind::count, tr("Pieces of the press"), pieces(target.graph().press()), 1,
+                            200, tr("More follow the points closer, fewer are easier to shape"))},
                {}};
   op.slow = true;
   if (origin.strokes.release)
-    op.fields.push_back({tr("Pieces of the release"),
-                         FieldKind::count,
-                         pieces(target.graph().curve(Stroke::release)),
-                         1,
-                         200,
-                         tr("More follow the points closer, fewer are easier to shape"),
-                         {}});
+    op.fields.push_back(numberField(FieldKind::count, tr("Pieces of the release"),
+                                    pieces(target.graph().curve(Stroke::release)), 1, 200,
+                                    tr("More follow the points closer, fewer are easier to shape")));
   // Noise as in the importer: a third of a pixel, or a thousandth of the span for force logs.
   importer::PointNoise noise{1e-3 * target.graph().travel_mm(), 1e-3 * highestForce(target)};
   if (origin.evidence) {
@@ -307,21 +272,12 @@ Operation contactsOperation(const OperationTarget& target) {
   Operation op{tr("Operating and reset point"),
                tr("Where the contact closes on the press stroke, and where it opens on the release stroke."),
                {{tr("Operating point"), FieldKind::choice, 1, 0, 0, {}, choices},
-                {tr("Closes at"),
-                 FieldKind::length,
-                 state.operatingPoint_mm.value_or(selectedPlace(target, 0.5 * travel)),
-                 0,
-                 travel,
-                 tr("Displacement on the press stroke"),
-                 {}},
+                numberField(FieldKind::length, tr("Closes at"),
+                            state.operatingPoint_mm.value_or(selectedPlace(target, 0.5 * travel)), 0, travel,
+                            tr("Displacement on the press stroke")),
                 {tr("Reset point"), FieldKind::choice, state.resetPoint_mm ? 1.0 : 0.0, 0, 0, {}, choices},
-                {tr("Opens at"),
-                 FieldKind::length,
-                 state.resetPoint_mm.value_or(0.45 * travel),
-                 0,
-                 travel,
-                 tr("Displacement on the release stroke"),
-                 {}}},
+                numberField(FieldKind::length, tr("Opens at"), state.resetPoint_mm.value_or(0.45 * travel), 0,
+                            travel, tr("Displacement on the release stroke"))},
                {}};
   op.edit = [index = target.state](const Button& start, const Values& v) -> Result<Button> {
     const auto known = [](double choice, double at) {
@@ -345,8 +301,9 @@ Operation dampingOperation(const OperationTarget& target) {
       tr("Damping"),
       tr("Force in proportion to velocity, for force feedback devices. Shape it in the damping view."),
       {{tr("Damping"), FieldKind::choice, 1, 0, 0, {}, {tr("off"), tr("on")}},
-       {tr("At the start"), FieldKind::damping, start, 0, 1000, tr("N·s/mm at 0 mm"), {}},
-       {tr("At the end"), FieldKind::damping, end, 0, 1000, tr("N·s/mm at the end of the travel"), {}}},
+       numberField(FieldKind::damping, tr("At the start"), start, 0, 1000, tr("N·s/mm at 0 mm")),
+       numberField(FieldKind::damping, tr("At the end"), end, 0, 1000,
+                   tr("N·s/mm at the end of the travel"))},
       {}};
   op.edit = [index = target.state, travel](const Button& before, const Values& v) {
     std::vector<DampingPoint> points;
@@ -378,8 +335,8 @@ Operation twoLevelOperation(const OperationTarget& target) {
   Operation op{tr("Two-level button"),
                tr("Replaces the curves of this state by a button with two tactile points, the second one "
                   "stronger, as on a camera's shutter button."),
-               {{tr("Travel"), FieldKind::length, travel, 1e-3, 100 * travel, {}, {}},
-                {tr("Highest force"), FieldKind::force, high, 1e-3, 100 * high, {}, {}}},
+               {numberField(FieldKind::length, tr("Travel"), travel, 1e-3, 100 * travel),
+                numberField(FieldKind::force, tr("Highest force"), high, 1e-3, 100 * high)},
                {}};
   op.edit = [state = target.state](const Button& start, const Values& v) -> Result<Button> {
     auto plain = twoLevelButton();
@@ -400,15 +357,10 @@ Operation selfLockingOperation(const OperationTarget& target) {
   Operation op{
       tr("Self-locking button"),
       tr("Replaces the button by one with two states: one press locks it down, the next press releases it."),
-      {{tr("Travel"), FieldKind::length, travel, 1e-3, 100 * travel, {}, {}},
-       {tr("Lock at"),
-        FieldKind::length,
-        0.625 * travel,
-        0,
-        100 * travel,
-        tr("Where the locked button rests; between its valley and the end of the travel"),
-        {}},
-       {tr("Highest force"), FieldKind::force, high, 1e-3, 100 * high, {}, {}}},
+      {numberField(FieldKind::length, tr("Travel"), travel, 1e-3, 100 * travel),
+       numberField(FieldKind::length, tr("Lock at"), 0.625 * travel, 0, 100 * travel,
+                   tr("Where the locked button rests; between its valley and the end of the travel")),
+       numberField(FieldKind::force, tr("Highest force"), high, 1e-3, 100 * high)},
       {}};
   op.edit = [name = target.button.name(), provenance = target.button.provenance()](
                 const Button&, const Values& v) -> Result<Button> {

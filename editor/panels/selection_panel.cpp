@@ -8,8 +8,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "editor/document/described.h"
-#include "editor/document/graph_colors.h"
+#include "editor/document/trouble_label.h"
 #include "editor/panels/value_delegate.h"
 #include "editor/panels/values_model.h"
 
@@ -55,19 +54,13 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
       model_(new ValuesModel(document, settings, this)),
       row_(new SelectedRow(*model_, this)),
       title_(described(new QLabel, "selectionTitle")),
-      trouble_(described(new QLabel, "selectionTrouble")),
+      trouble_(new TroubleLabel("selectionTrouble")),
       table_(described(new ValueTable, "selectionTable", {}, tr("Numbers of the selected point"))) {
   setObjectName(QStringLiteral("selectionPanel"));
   QFont bold = title_->font();
   bold.setBold(true);
   title_->setFont(bold);
   title_->setMargin(6);
-  trouble_->setMargin(6);
-  trouble_->setWordWrap(true);
-  trouble_->hide();
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, graphColors(isDark(palette())).refused);
-  trouble_->setPalette(colors);
   table_->setModel(row_);
   auto* delegate = new ValueDelegate(
       [this](const QModelIndex& cell, const QString& text) {
@@ -105,10 +98,10 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
             if (!goesOn && std::exchange(editing_, false) && table_->hasFocus()) emit edited();
           });
   connect(delegate, &ValueDelegate::refused, this,
-          [this](const QModelIndex&, const QString& why) { showTrouble(why); });
+          [this](const QModelIndex&, const QString& why) { trouble_->say(why); });
   connect(model_, &ValuesModel::refused, this,
-          [this](const QModelIndex&, const QString& why) { showTrouble(why); });
-  connect(&document, &ButtonDocument::changed, this, [this] { showTrouble({}); });
+          [this](const QModelIndex&, const QString& why) { trouble_->say(why); });
+  connect(&document, &ButtonDocument::changed, this, [this] { trouble_->say({}); });
   connect(model_, &QAbstractItemModel::modelReset, this, [this] { showMark(mark_); });
   connect(model_, &QAbstractItemModel::dataChanged, this, &SelectionPanel::layOut);
   showMark({});
@@ -120,7 +113,7 @@ void SelectionPanel::showMark(std::optional<MarkId> mark) {
     mark->kind = MarkKind::knot;
   mark_ = mark;
   row_->setMark(mark);
-  showTrouble({});
+  trouble_->say({});
   layOut();
 }
 
@@ -149,12 +142,6 @@ void SelectionPanel::layOut() {
   }
   table_->setVisible(found);
   table_->setFixedHeight(height_px);
-}
-
-void SelectionPanel::showTrouble(const QString& why) {
-  trouble_->setText(why);
-  trouble_->setAccessibleName(why);
-  trouble_->setVisible(!why.isEmpty());
 }
 
 }  // namespace detent::editor

@@ -14,6 +14,7 @@ class QLabel;
 
 namespace detent::editor {
 
+class TroubleLabel;
 class SelectedRow;
 class ValuesModel;
 class ValueTable;
@@ -36,12 +37,12 @@ class SelectionPanel : public QWidget {
 
  private:
   void layOut();
-  void showTrouble(const QString& why);
 
   ValuesModel* model_;
   SelectedRow* row_;
   std::optional<MarkId> mark_;
-  QLabel *title_, *trouble_;
+  QLabel* title_;
+  TroubleLabel* trouble_;
   ValueTable* table_;
   bool editing_ = false;  ///< a cell was opened by edit()
 };

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <QEvent>
 #include <QHeaderView>
-#include <QLabel>
 #include <QTableView>
 #include <QToolTip>
 #include <QVBoxLayout>
 
-#include "editor/document/graph_colors.h"
+#include "editor/document/trouble_label.h"
 #include "editor/panels/value_delegate.h"
 #include "editor/panels/values_model.h"
 
@@ -26,7 +25,7 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
     : QWidget(parent),
       model_(new ValuesModel(document, settings, this)),
       table_(new ValueTable),
-      refusal_(new QLabel) {
+      refusal_(new TroubleLabel("valuesRefusal")) {
   setObjectName(QStringLiteral("valuesPanel"));
   table_->setObjectName(QStringLiteral("valuesTable"));
   table_->setAccessibleName(tr("Exact values of the force graph"));
@@ -40,10 +39,6 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->setUpForNumbers();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // a thousand rows are not measured
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-  refusal_->setObjectName(QStringLiteral("valuesRefusal"));
-  refusal_->setWordWrap(true);
-  refusal_->setMargin(6);
-  refusal_->hide();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -99,12 +94,7 @@ bool ValuesPanel::eventFilter(QObject* object, QEvent* event) {
 }
 
 void ValuesPanel::showRefusal(const QModelIndex& index, const QString& why) {
-  QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, graphColors(isDark(palette())).refused);
-  refusal_->setPalette(colors);
-  refusal_->setText(why);
-  refusal_->setAccessibleName(why);
-  refusal_->show();
+  refusal_->say(why);
   table_->scrollTo(index);
   const QRect cell = table_->visualRect(index);
   QToolTip::showText(table_->viewport()->mapToGlobal(cell.bottomLeft()), why, table_);

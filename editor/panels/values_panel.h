@@ -8,10 +8,9 @@
 #include "editor/document/button_document.h"
 #include "editor/document/view_settings.h"
 
-class QLabel;
-
 namespace detent::editor {
 
+class TroubleLabel;
 class ValuesModel;
 class ValueTable;
 
@@ -41,7 +40,7 @@ class ValuesPanel : public QWidget {
 
   ValuesModel* model_;
   ValueTable* table_;
-  QLabel* refusal_;
+  TroubleLabel* refusal_;
 };
 
 }  // namespace detent::editor

@@ -83,7 +83,7 @@ ExperimenterDialog::ExperimenterDialog(StudyContext context, QWidget* parent)
     : QDialog(parent), context_(std::move(context)) {
   setObjectName("studyDesk");
   setWindowTitle(tr("Study: experimenter"));
-  resize(onScreen(*this, {760, 560}));
+  resize(760, 560);
   title_ = described(new QLabel, "studyTitle");
   title_->setWordWrap(true);
   progress_ = described(new QLabel, "studyProgress");

@@ -88,7 +88,7 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
     : QDialog(parent), profileFile_(profileFile) {
   setObjectName("studyMaker");
   setWindowTitle(tr("New study"));
-  resize(onScreen(*this, {560, 640}));
+  resize(560, 640);
   list_ = described(new QListWidget, "makerButtons", {}, tr("Buttons of the study"));
   QSet<QString> taken;
   for (const ButtonDocument* document : documents) {

@@ -16,8 +16,10 @@ constexpr int limitSteps = 14;  // halvings of the way: a 16,000th of it is less
 constexpr double clearance_px =
     4;  // distance kept from the limit, px, so that a flank does not become a step, nor a point a corner
 
-QString dragHint() {
-  return QCoreApplication::translate("GraphDrag", "Shift: one axis, Ctrl: no snapping, Esc: cancel");
+QString dragHint(const DragTask& task) {
+  return task.snaps
+             ? QCoreApplication::translate("GraphDrag", "Shift: one axis, Ctrl: no snapping, Esc: cancel")
+             : QCoreApplication::translate("GraphDrag", "Shift: one axis, Esc: cancel");
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ void GraphDrag::begin(DragTask task, CurvePoint pointer) {
   CanvasFeedback feedback;
   feedback.dragged = feedback.draggedFrom = task_->from;
   canvas_.setFeedback(feedback);
-  say_(dragHint());
+  say_(dragHint(*task_));
 }
 
 CurvePoint GraphDrag::wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modifiers,
@@ -67,7 +69,7 @@ void GraphDrag::moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers) {
   const Result<Button> next = edited(to);
   if (next) {
     preview(*next, to, feedback);
-    if (refused_) say_(dragHint());
+    if (refused_) say_(dragHint(*task_));
   } else if (task_->snaps) {
     stopAtLimit(to, next.failure(), feedback);
   } else {  // the limit of a handle or a segment is vertical, so the last shape stays

@@ -19,9 +19,12 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
                [this](const QString& text) { emit said(text); },
                [this](FirstValue first) { emit valuesRequested(first); }},
       keyboard_(context_),
-      tools_{std::make_unique<SelectTool>(context_),  std::make_unique<AddKnotTool>(context_),
-             std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),
-             std::make_unique<ZoomTool>(context_),    std::make_unique<MeasureTool>(context_)} {
+      tools_{std::make_unique<SelectTool>(context_),
+             addKnotTool(context_),
+             addJumpTool(context_),
+             panTool(context_),
+             zoomTool(context_),
+             measureTool(context_)} {
   canvas_.setEvents(this);
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::graphReplaced);
   connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::graphReplaced);

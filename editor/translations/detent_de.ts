@@ -320,6 +320,10 @@
         <source>Shift: one axis, Ctrl: no snapping, Esc: cancel</source>
         <translation>Umschalt: eine Achse, Strg: kein Einrasten, Esc: abbrechen</translation>
     </message>
+    <message>
+        <source>Shift: one axis, Esc: cancel</source>
+        <translation>Umschalt: eine Achse, Esc: abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>InputKinds</name>
@@ -4865,6 +4869,14 @@ Lizenz: %3</translation>
         <source>Not readable yet</source>
         <translation>Noch nicht lesbar</translation>
     </message>
+    <message>
+        <source>1 switch will be imported</source>
+        <translation>1 Schalter wird importiert</translation>
+    </message>
+    <message>
+        <source>%1 switches will be imported</source>
+        <translation>%1 Schalter werden importiert</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ForceBox</name>
@@ -6123,10 +6135,6 @@ Lizenz: %3</translation>
         <translation>Wenn hier einer ist, zeichnen Sie seinen Rahmen auf die Seite oder klicken Sie auf ein gestricheltes Rechteck.</translation>
     </message>
     <message>
-        <source>&amp;Import %1 graphs</source>
-        <translation>%1 Graphen &amp;importieren</translation>
-    </message>
-    <message>
         <source>Import the ticked graphs, each as a button of its own</source>
         <translation>Die angekreuzten Graphen importieren, jeden als eigenen Taster</translation>
     </message>
@@ -6169,6 +6177,10 @@ Lizenz: %3</translation>
     <message>
         <source>No button can be imported from this graph. Undo takes the answer back.</source>
         <translation>Aus diesem Graphen kann kein Taster importiert werden. „Rückgängig“ nimmt die Antwort zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Import %1 buttons</source>
+        <translation>%1 Taster &amp;importieren</translation>
     </message>
 </context>
 <context>
@@ -6459,10 +6471,6 @@ Lizenz: %3</translation>
         <translation>Ausgangspegel</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms; the line and the number are the highest peak (held for 1.5 s).&lt;/p&gt;&lt;p&gt;LIM lights up while the limiter holds the level at its ceiling: lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms; die Linie und die Zahl sind die höchste Spitze (1,5 s gehalten).&lt;/p&gt;&lt;p&gt;LIM leuchtet, solange der Begrenzer den Pegel an seiner Obergrenze hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>silent</source>
         <translation>still</translation>
     </message>
@@ -6475,12 +6483,16 @@ Lizenz: %3</translation>
         <translation>, begrenzt</translation>
     </message>
     <message>
-        <source>LIM</source>
-        <translation>LIM</translation>
-    </message>
-    <message>
         <source>%1 dB</source>
         <translation>%1 dB</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms; the line and the number are the highest peak (held for 1.5 s).&lt;/p&gt;&lt;p&gt;“limited” stands there while the limiter holds the level at its ceiling: lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms; die Linie und die Zahl sind die höchste Spitze (1,5 s gehalten).&lt;/p&gt;&lt;p&gt;„begrenzt“ steht da, solange der Begrenzer den Pegel an seiner Obergrenze hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>limited</source>
+        <translation>begrenzt</translation>
     </message>
 </context>
 <context>
@@ -7376,6 +7388,14 @@ Lizenz: %3</translation>
     <message>
         <source>Copy a&amp;s</source>
         <translation>Kopieren a&amp;ls</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -8636,10 +8656,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>felt %1 dB</source>
         <translation>fühlbar %1 dB</translation>
-    </message>
-    <message>
-        <source>felt –</source>
-        <translation>fühlbar –</translation>
     </message>
     <message>
         <source>&amp;Gain</source>

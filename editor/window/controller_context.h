@@ -25,14 +25,19 @@ struct ControllerContext {
 
   /// Folder of the last file that was opened or saved; at first the user's documents, or its replacement. A
   /// missing folder would appear in the dialogue as the name of a file.
-  QString folder() const {
-    for (const QString& each : {settings.value("files/folder").toString(),
+  QString folder(const char* key = "files/folder") const {
+    for (const QString& each : {settings.value(key).toString(), settings.value("files/folder").toString(),
                                 QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
       if (QFileInfo(each).isDir()) return each;
     return QDir::homePath();
   }
-  void rememberFolder(const QString& path) const {
-    settings.setValue("files/folder", QFileInfo(path).absolutePath());
+  /// Folder of the last file that was saved or exported. Pages that are looked at do not change it.
+  QString folderToSave() const { return folder("files/savedIn"); }
+  void rememberFolder(const QString& folder) const { settings.setValue("files/folder", folder); }
+  void rememberFolderOf(const QString& path) const { rememberFolder(QFileInfo(path).absolutePath()); }
+  void rememberSavedIn(const QString& folder) const {
+    rememberFolder(folder);
+    settings.setValue("files/savedIn", folder);
   }
 };
 

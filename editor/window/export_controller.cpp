@@ -36,8 +36,8 @@ ExportController::ExportController(const ControllerContext& context, QObject* pa
 void ExportController::write(DocumentTab& tab, const QString& title, const QString& filter,
                              const QString& ending,
                              const std::function<Result<Done>(const QString&)>& writeTo) {
-  QString path =
-      at_.prompts.fileToSave(&at_.window, title, suggestedPath(tab.document(), at_.folder(), ending), filter);
+  QString path = at_.prompts.fileToSave(&at_.window, title,
+                                        suggestedPath(tab.document(), at_.folderToSave(), ending), filter);
   if (path.isEmpty()) return;
   if (ending.startsWith('.') && QFileInfo(path).suffix().isEmpty()) path += ending;
   const auto written = writeTo(path);
@@ -47,7 +47,7 @@ void ExportController::write(DocumentTab& tab, const QString& title, const QStri
     return;
   }
   tab.notices().dismiss("export");
-  at_.rememberFolder(path);
+  at_.rememberSavedIn(QFileInfo(path).absolutePath());
   emit done(tr("Exported %1").arg(shownPath(path)));
 }
 

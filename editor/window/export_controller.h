@@ -19,7 +19,7 @@ class ExportController : public QObject {
   explicit ExportController(const ControllerContext& context, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
-  /// CSV at travels that the user types.
+  /// CSV at even steps or at given travels, which the user types.
   void csvAt(DocumentTab& tab);
   /// CSV with decimal commas, and semicolons between the fields.
   void semicolonCsv(DocumentTab& tab);

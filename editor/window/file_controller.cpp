@@ -81,7 +81,7 @@ void FileController::openByDialog() {
 void FileController::importByDialog() {
   const QStringList chosen =
       at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), importFilters());
-  for (const QString& path : chosen) at_.rememberFolder(path);
+  for (const QString& path : chosen) at_.rememberFolderOf(path);
   sheets_.importFiles(chosen);
 }
 
@@ -91,14 +91,18 @@ void FileController::importMany() {
     actions.files = [this](QWidget* parent) {
       QStringList chosen =
           at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folder(), importFilters());
-      if (!chosen.isEmpty()) at_.rememberFolder(chosen.front());
+      if (!chosen.isEmpty()) at_.rememberFolderOf(chosen.front());
       return chosen;
     };
     actions.folder = [this](QWidget* parent) {
-      return at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
+      const QString chosen = at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
+      if (!chosen.isEmpty()) at_.rememberFolder(chosen);
+      return chosen;
     };
     actions.folderToSave = [this](QWidget* parent) {
-      return at_.prompts.folder(parent, tr("Save the buttons in"), at_.folder());
+      const QString chosen = at_.prompts.folder(parent, tr("Save the buttons in"), at_.folderToSave());
+      if (!chosen.isEmpty()) at_.rememberSavedIn(chosen);
+      return chosen;
     };
     actions.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
     actions.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
@@ -130,7 +134,7 @@ void FileController::open(const QStringList& paths) {
       pages << QFileInfo(path).absoluteFilePath();
     else
       openButton(path);
-    if (kind) at_.rememberFolder(path);
+    if (kind) at_.rememberFolderOf(path);
   }
   sheets_.importFiles(pages);
 }
@@ -228,7 +232,7 @@ bool FileController::write(DocumentTab& tab, const QString& path) {
   watch_.watch(tab.document().path());
   for (const char* notice : {"save", "disk"}) tab.notices().dismiss(notice);
   recent_.add(tab.document().path());
-  at_.rememberFolder(tab.document().path());
+  at_.rememberSavedIn(QFileInfo(tab.document().path()).absolutePath());
   emit done(tr("Saved %1").arg(shownPath(tab.document().path())));
   return true;
 }
@@ -240,7 +244,8 @@ bool FileController::save(DocumentTab& tab) {
 bool FileController::saveAs(DocumentTab& tab) {
   at_.tabs.show(tab.document());  // shows the button that is being named
   const QString now = tab.document().path();
-  const QString suggested = now.isEmpty() ? suggestedPath(tab.document(), at_.folder(), ".button.json") : now;
+  const QString suggested =
+      now.isEmpty() ? suggestedPath(tab.document(), at_.folderToSave(), ".button.json") : now;
   const QString chosen =
       at_.prompts.fileToSave(&at_.window, tr("Save as"), suggested, tr("Buttons") + " (*.button.json)");
   if (chosen.isEmpty()) return false;

@@ -171,7 +171,7 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent) : QDialog(paren
   layout->addWidget(pages, 1);
   layout->addWidget(note);
   note->hide();
-  resize(onScreen(*this, guideSize_px));  // pictures are as wide as the window
+  resize(guideSize_px);  // pictures are as wide as the window
   if (folder.isEmpty()) {
     pages->setPlainText(
         tr("The guide is not installed. It belongs in the folder share/detent/docs beside the "
@@ -212,7 +212,7 @@ GlossaryWindow::GlossaryWindow(QWidget* parent) : QDialog(parent) {
   layout->addWidget(buttons);
   drawPictures();
   constexpr QSize around_px{60, 110};
-  resize(onScreen(*this, page->sizeHint() + around_px));
+  resize(page->sizeHint() + around_px);
 }
 
 void GlossaryWindow::drawPictures() {

@@ -264,20 +264,9 @@ void MainWindow::makeDocks() {
   annotationsDock_ = dock("annotationsDock", tr("Notes"), Qt::RightDockWidgetArea, QKeySequence("Alt+7"));
   library_ = new LibraryPanel;
   libraryDock_->setWidget(library_);
-  values_ = new QStackedWidget;
-  valuesDock_->setWidget(values_);
-  inspector_ = new QStackedWidget;
-  inspectorDock_->setWidget(inspector_);
-  history_ = new QStackedWidget;
-  historyDock_->setWidget(history_);
-  checks_ = new QStackedWidget;
-  checksDock_->setWidget(checks_);
-  annotations_ = new QStackedWidget;
-  annotationsDock_->setWidget(annotations_);
-  tabifyDockWidget(inspectorDock_, valuesDock_);
-  tabifyDockWidget(valuesDock_, historyDock_);
-  tabifyDockWidget(historyDock_, checksDock_);
-  tabifyDockWidget(checksDock_, annotationsDock_);
+  const QList<QDockWidget*> docks = inspectorDocks();
+  for (QDockWidget* dock : docks) dock->setWidget(new QStackedWidget);
+  for (int i = 1; i < docks.size(); ++i) tabifyDockWidget(docks[i - 1], docks[i]);
   inspectorDock_->raise();
   valuesDock_->hide();
   frontDock_ = inspectorDock_;
@@ -444,16 +433,15 @@ void MainWindow::showTab(DocumentTab* tab) {
   showTabActions(tab);
   for (QAction* action : needTab_) action->setEnabled(tab != nullptr);
   if (tab) {
-    values_->addWidget(tab->valuesPanel());
-    values_->setCurrentWidget(tab->valuesPanel());
-    inspector_->addWidget(tab->inspector());
-    inspector_->setCurrentWidget(tab->inspector());
-    history_->addWidget(tab->historyPanel());
-    history_->setCurrentWidget(tab->historyPanel());
-    checks_->addWidget(tab->checksPanel());
-    checks_->setCurrentWidget(tab->checksPanel());
-    annotations_->addWidget(tab->annotationsPanel());
-    annotations_->setCurrentWidget(tab->annotationsPanel());
+    for (const auto& [dock, panel] : {std::pair{valuesDock_, tab->valuesPanel()},
+                                      {inspectorDock_, tab->inspector()},
+                                      {historyDock_, tab->historyPanel()},
+                                      {checksDock_, tab->checksPanel()},
+                                      {annotationsDock_, tab->annotationsPanel()}}) {
+      auto* stack = static_cast<QStackedWidget*>(dock->widget());
+      stack->addWidget(panel);
+      stack->setCurrentWidget(panel);
+    }
     tab->workspace().setFocus();
   }
   if (tab && shown_ != &tab->document()) shownBefore_ = std::exchange(shown_, &tab->document());
@@ -695,7 +683,8 @@ void MainWindow::restoreWindow() {
     resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
   firstState_ = saveState(stateVersion);
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
-  inspector_px_ = at_.settings.value("window/inspector_px").toInt();
+  const int inspector_px = at_.settings.value("window/inspector_px").toInt();
+  if (inspector_px < screen()->availableSize().width()) inspector_px_ = inspector_px;
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
 }

@@ -173,8 +173,6 @@ class MainWindow : public QMainWindow {
   ComparePanel* comparison_ = nullptr;
   ForecastMatrix* forecasts_ = nullptr;
   ExperimenterDialog* study_ = nullptr;
-  QStackedWidget *values_ = nullptr, *inspector_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
-                 *annotations_ = nullptr;
   MeasuredWindow* measured_ = nullptr;
   QPointer<QDialog> guide_, glossary_, preferences_;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *inspectorDock_ = nullptr,

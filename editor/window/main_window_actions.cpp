@@ -5,7 +5,6 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QDir>
-#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
@@ -164,6 +163,8 @@ void MainWindow::makeEditActions() {
                       if (!tab.document().history().dragging()) tab.document().history().stack().redo();
                     });
   redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  undo_->setIconText(tr("Undo"));  // in lists; the menu names the step, too
+  redo_->setIconText(tr("Redo"));
   menu->addAction(undo_);
   menu->addAction(redo_);
   menu->addSeparator();
@@ -371,8 +372,10 @@ void MainWindow::updateUndo() {
 void MainWindow::updateRecent() {
   recentMenu_->clear();
   const QStringList paths = files_->recent().paths();
-  for (const QString& path : paths) {
-    QString name = QFileInfo(path).fileName();
+  const QStringList names = distinctNames(paths);
+  for (int i = 0; i < paths.size(); ++i) {
+    const QString& path = paths[i];
+    QString name = names[i];
     QAction* entry =
         recentMenu_->addAction(name.replace('&', "&&"), this, [this, path] { files_->open({path}); });
     entry->setToolTip(QDir::toNativeSeparators(path));

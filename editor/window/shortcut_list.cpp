@@ -15,13 +15,6 @@
 namespace detent::editor {
 namespace {
 
-QString withoutMnemonic(QString text) {
-  text.replace("&&", QChar(0));
-  text.remove('&');
-  text.replace(QChar(0), '&');
-  return text.remove(QStringLiteral("…"));
-}
-
 QStandardItemModel* modelOf(const std::vector<ShortcutRow>& rows, QObject* parent) {
   auto* model = new QStandardItemModel(parent);
   model->setHorizontalHeaderLabels(
@@ -40,7 +33,8 @@ std::vector<ShortcutRow> shortcutRows(const QString& group, const QList<QAction*
     if (action->shortcuts().isEmpty()) continue;
     QStringList keys;
     for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
-    rows.push_back({group, withoutMnemonic(action->text()), keys.join(ShortcutDialog::tr(" or "))});
+    rows.push_back(
+        {group, action->iconText().remove(QStringLiteral("…")), keys.join(ShortcutDialog::tr(" or "))});
   }
   return rows;
 }

@@ -35,6 +35,13 @@ QStringList linesOf(const QString& path) {
 
 }  // namespace
 
+QLocale chosenLocale(const QSettings& settings, const QString& folder) {
+  const QString code = settings.value(languageKey).toString();
+  const bool carried =
+      code == QLatin1String("en") || QFile::exists(QStringLiteral("%1/detent_%2.qm").arg(folder, code));
+  return carried ? QLocale(code) : QLocale();
+}
+
 bool installTranslation(QCoreApplication& application, const QLocale& locale, const QString& folder) {
   auto* own = new Translator(linesOf(folder + QStringLiteral("/contexts.txt")), &application);
   if (!own->load(locale, QStringLiteral("detent"), QStringLiteral("_"), folder)) {

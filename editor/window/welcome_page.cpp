@@ -2,7 +2,6 @@
 #include "editor/window/welcome_page.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -10,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/files/recent_files.h"
 
 namespace detent::editor {
 namespace {
@@ -79,10 +79,11 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
 
 void WelcomePage::setRecent(const QStringList& paths) {
   recent_->clear();
-  for (const QString& path : paths) {
-    auto* item = new QListWidgetItem(QFileInfo(path).fileName());
-    item->setData(Qt::UserRole, path);
-    item->setToolTip(QDir::toNativeSeparators(path));
+  const QStringList names = distinctNames(paths);
+  for (int i = 0; i < paths.size(); ++i) {
+    auto* item = new QListWidgetItem(names[i]);
+    item->setData(Qt::UserRole, paths[i]);
+    item->setToolTip(QDir::toNativeSeparators(paths[i]));
     recent_->addItem(item);
   }
   recentSection_->setVisible(!paths.isEmpty());

@@ -171,6 +171,8 @@ class FeelPanelTest : public QObject {
     QVERIFY(rig.part<PressStrip>("pressStrip")->eventCount() > 20);
     QTRY_VERIFY(rig.status().contains("no sound output is there"));
     QVERIFY(rig.status().contains("Connect one"));
+    QVERIFY(rig.status().contains(". Default device"));
+    QVERIFY(rig.part<QLabel>("feltLevel")->text().isEmpty());
     QVERIFY(rig.part<QPushButton>("soundAgain")->isVisible());
     rig.press();  // a device that could not be opened is tried again on request, not at each press
     QTest::qWait(150);

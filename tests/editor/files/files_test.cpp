@@ -206,6 +206,13 @@ class FilesTest : public QObject {
     QCOMPARE(RecentFiles(later).paths(), recent.paths());
   }
 
+  void filesOfOneNameShowTheirFolders() {
+    QCOMPARE(distinctNames({"/a/kailh/plot.png", "/a/cherry/plot.png", "/b/cherry/plot.png", "/a/one.pdf"}),
+             QStringList({"kailh/plot.png", "a/cherry/plot.png", "b/cherry/plot.png", "one.pdf"}));
+    QCOMPARE(distinctNames({"/plot.png", "/a/plot.png"}), QStringList({"/plot.png", "a/plot.png"}));
+    QCOMPARE(distinctNames({}), QStringList());
+  }
+
   void noticesChangesFromOutsideOnly() {
     writeFile(at("w.button.json"), "one");
     FileWatch watch;

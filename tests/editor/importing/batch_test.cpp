@@ -155,6 +155,10 @@ class BatchTest : public QObject {
     QVERIFY((state.current()->id == GraphId{1, 2}));
     state.openFile(sample("black-red-curves.png"));
     QVERIFY(QTest::qWaitFor([&] { return state.current() != nullptr; }, patience_ms));
+    draft.current = GraphId{9, 1};  // the document has lost pages since
+    state.continueDraft(draft);
+    QVERIFY(QTest::qWaitFor([&] { return state.current() != nullptr; }, patience_ms));
+    QCOMPARE(state.current()->id.page, 1);
   }
 
   void buttonsAreSavedAndNothingIsOverwritten() {

@@ -800,6 +800,14 @@ void ImportDialogTest::ofSeveralSwitchesOneIsChosen() {
   const QImage red = list->item(1)->icon().pixmap(22, 14).toImage();
   QCOMPARE(red.pixelColor(11, 7), QColor("#2e8b37"));
   keepPicture(dialog, "several-switches");
+  // A ticked switch can be imported, and the heading says so.
+  const auto* heading = dialog.findChild<QLabel*>("confidence");
+  QCOMPARE(heading->text(), QString("Not readable yet"));
+  list->item(0)->setCheckState(Qt::Checked);
+  QTRY_COMPARE(heading->text(), QString("1 switch will be imported"));
+  QVERIFY(dialog.accept->isEnabled());
+  list->item(0)->setCheckState(Qt::Unchecked);
+  QTRY_COMPARE(heading->text(), QString("Not readable yet"));
 
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);

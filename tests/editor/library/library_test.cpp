@@ -177,7 +177,12 @@ class LibraryTest : public QObject {
     QCOMPARE(*force->values[1], 2 * *force->values[0]);
     const DisplayUnits units;
     QCOMPARE(shownValue(force->values[0], detent::editor::Measure::force, units), QString("55.00"));
-    QCOMPARE(shownDifference(*force, 1, units), QString("+55.00"));
+    QCOMPARE(shownDifference(*force, 1, units), QString("+55.0"));
+    // A difference has no more decimals than the values beside it: 4.000 and 4.000 differ by 0.
+    const DifferenceRow close{"", detent::editor::Measure::length, {4.00021, 4.00004, 3.9981}};
+    QCOMPARE(shownValue(close.values[0], close.measure, units), QString("4.000"));
+    QCOMPARE(shownDifference(close, 1, units), QString("0"));
+    QCOMPARE(shownDifference(close, 2, units), QString("\u22120.002"));
     QCOMPARE(shownUnit(detent::editor::Measure::force, units), QString("cN"));
     DisplayUnits inches;
     inches.length = LengthUnit::inch;

@@ -259,11 +259,13 @@ class MeasuredTest : public QObject {
     MeasuredWindow window(std::move(context));
     QSignalSpy shown(&window, &MeasuredWindow::shown);
     window.show();
+    const int empty_px = window.width();  // no larger than its two lines of text need
     window.addFolder(folder.filePath("m"));
     QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 1, patience_ms);
     auto* view_ = window.findChild<QTableView*>("measuredTable");
     auto* credits = window.findChild<QLabel*>("measuredCredits");
     QCOMPARE(view_->model()->rowCount(), 3);
+    QVERIFY(window.width() > empty_px);
     QVERIFY(window.findChild<QPushButton*>("measuredRefused")->isVisible());
     QVERIFY2(credits->text().contains("MIT"), qPrintable(credits->text()));
     QVERIFY(view_->isColumnHidden(MeasuredTable::distanceColumn));

@@ -32,6 +32,7 @@ class ToolsTest : public QObject {
   void dragOfTactilePointIsOneExactStep();
   void aLabelMovesItsPoint();
   void aDimensionMovesItsContact();
+  void theHintOfAHandleNamesNoSnapping();
   void aDragShowsWhatItChanges();
   void measuresBetweenPoints();
   void measuresTheCurveBesideASlopeHandle();
@@ -135,6 +136,21 @@ void ToolsTest::aDimensionMovesItsContact() {
   QVERIFY(!rig.canvas().flagAt({rig.pixel(*rig.canvas().state().operatingPoint_mm, 0).x(), arrow.y()}));
 }
 
+// The hint of a drag names no key that has no effect: a slope handle snaps to nothing.
+void ToolsTest::theHintOfAHandleNamesNoSnapping() {
+  WorkspaceRig rig(require(tactileButton()));
+  QSignalSpy said(&rig.workspace, &GraphWorkspace::statusMessage);
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, 0});
+  const auto handle = slopeHandlesOf(rig.press(), 0, rig.canvas().mapping()).after_px;
+  QVERIFY(handle);
+  rig.press(*handle);
+  rig.move(*handle + QPointF(6, -6));
+  QVERIFY(rig.canvas().feedback().dragged.has_value());
+  QVERIFY(said.last().front().toString().contains("Esc"));
+  QVERIFY(!said.last().front().toString().contains("snapping"));
+  rig.release(*handle + QPointF(6, -6));
+}
+
 // During a drag the previous curve stays visible, and the status bar explains the keys.
 void ToolsTest::aDragShowsWhatItChanges() {
   WorkspaceRig rig(require(tactileButton()));
@@ -146,6 +162,7 @@ void ToolsTest::aDragShowsWhatItChanges() {
   rig.press(from);
   rig.move(from + QPointF(4, -4));
   QVERIFY(said.last().front().toString().contains("Esc"));
+  QVERIFY(said.last().front().toString().contains("no snapping"));
   rig.move(from + QPointF(60, -90));
   QVERIFY(rig.canvas().feedback().draggedFrom == start);
   const auto blue = [&](const QImage& picture, QPointF at) {

@@ -101,6 +101,19 @@ class PreferencesHelpTest : public QObject {
     QVERIFY(settings.value(languageKey).toString().isEmpty());
   }
 
+  // A setting that names no language of the program has no effect.
+  void aBrokenLanguageIsNoLanguage() {
+    QSettings settings(folder_->filePath("p.ini"), QSettings::IniFormat);
+    const auto chosen = [&](const QVariant& stored) {
+      settings.setValue(languageKey, stored);
+      return chosenLocale(settings, DETENT_TRANSLATIONS).language();
+    };
+    QCOMPARE(chosen("de"), QLocale::German);
+    QCOMPARE(chosen("en"), QLocale::English);
+    for (const QVariant& broken : {QVariant("zz"), QVariant(""), QVariant(17), QVariant("../de"), QVariant()})
+      QCOMPARE(chosen(broken), QLocale().language());
+  }
+
   void theLayoutGoesBackToTheFirstOne() {
     QSettings settings(folder_->filePath("w.ini"), QSettings::IniFormat);
     ViewSettings view;

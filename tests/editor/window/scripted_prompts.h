@@ -25,7 +25,7 @@ class ScriptedPrompts : public Prompts {
   std::deque<GraphExport> graphAnswers;
   int unexpected = 0;
   QStringList lastUnsaved;
-  QString lastSuggested;
+  QString lastSuggested, lastFolder;
 
   SaveChoice unsaved(QWidget*, const QStringList& titles) override {
     lastUnsaved = titles;
@@ -34,7 +34,10 @@ class ScriptedPrompts : public Prompts {
   QStringList filesToOpen(QWidget*, const QString&, const QString&, const QStringList&) override {
     return next(openAnswers, {});
   }
-  QString folder(QWidget*, const QString&, const QString&) override { return next(saveAnswers, {}); }
+  QString folder(QWidget*, const QString&, const QString& now) override {
+    lastFolder = now;
+    return next(saveAnswers, {});
+  }
   QString fileToSave(QWidget*, const QString&, const QString& suggested, const QString&) override {
     lastSuggested = suggested;
     return takesSuggestions ? suggested : next(saveAnswers, {});

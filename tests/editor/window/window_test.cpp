@@ -378,7 +378,10 @@ class WindowTest : public QObject {
                  qPrintable(keys + ": " + taken.value(keys) + " and " + action->objectName()));
         taken.insert(keys, action->objectName());
       }
+    rig.scale(1.5);
+    QVERIFY(rig.action("undo")->text().contains("Scale"));  // in the menu, not in the list of keys
     for (const ShortcutRow& row : rig.window->shortcuts()) {
+      QVERIFY2(!row.name.contains("Undo:") && !row.name.contains(u'…'), qPrintable(row.name));
       QVERIFY(!row.name.isEmpty() && !row.keys.isEmpty() && !row.group.isEmpty());
       QVERIFY2(!row.name.contains('&'), qPrintable(row.name));
     }
@@ -1294,6 +1297,52 @@ class WindowTest : public QObject {
     }
   }
 
+  void aBrokenWidthIsNoWidth() {
+    constexpr int wide_px = 391, least_px = 150, most_px = 640;
+    const auto widthAfter = [&](const QVariant& stored) {
+      {
+        Rig rig(folder_->path());
+        rig.window->resize(1280, 820);
+        rig.window->files().open({sample("buttons/B.button.json")});
+        QTest::qWait(60);
+        rig.window->close();
+        rig.settings.setValue("window/inspector_px", stored);
+      }
+      Rig again(folder_->path());
+      again.window->files().open({sample("buttons/B.button.json")});
+      QTest::qWait(200);
+      return again.window->findChild<QDockWidget*>("inspectorDock")->width();
+    };
+    QVERIFY(std::abs(widthAfter(wide_px) - wide_px) <= 2);
+    for (const QVariant& broken : {QVariant(1000000), QVariant(-5), QVariant("wide")}) {
+      const int width_px = widthAfter(broken);
+      QVERIFY2(width_px > least_px && width_px < most_px, qPrintable(QString::number(width_px)));
+    }
+  }
+  // A page that is looked at does not change where an unsaved button is proposed to be saved.
+  void filesAreSavedWhereTheLastOneWasSaved() {
+    Rig rig(folder_->path());
+    for (const char* name : {"saved", "pages", "batch", "results"}) QVERIFY(QDir(at(".")).mkdir(at(name)));
+    rig.action("new")->trigger();
+    rig.prompts.saveAnswers = {at("saved/one.csv")};
+    rig.action("exportCsv")->trigger();
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), at("pages/b.button.json")));
+    rig.window->files().open({at("pages/b.button.json")});
+    rig.action("new")->trigger();
+    rig.prompts.saveAnswers = {QString()};
+    rig.action("save")->trigger();
+    QCOMPARE(QFileInfo(rig.prompts.lastSuggested).absolutePath(), at("saved"));
+    // The folders of the batch are kept, too.
+    rig.action("importMany")->trigger();
+    auto* batch = rig.window->findChild<QDialog*>("batchDialog");
+    rig.prompts.saveAnswers = {at("batch"), QString()};
+    for (const char* folder : {"pages", "batch"}) {
+      batch->findChild<QPushButton*>("batchFolder")->click();
+      QCOMPARE(rig.prompts.lastFolder, at(folder));
+    }
+    batch->close();
+  }
+
   void theTabsOfTheLastSessionComeBack() {
     const QString b = at("b.button.json"), c = at("c.button.json");
     QVERIFY(QFile::copy(sample("buttons/B.button.json"), b));
@@ -1702,7 +1751,16 @@ class WindowTest : public QObject {
     type(Qt::Key_Return, "3.9", Qt::Key_Return);
     auto* editor = rig.window->findChild<QLineEdit*>("valueEditor");
     QVERIFY(editor && editor->isVisible());
-    QVERIFY(!rig.window->findChild<QLabel*>("selectionTrouble")->text().isEmpty());
+    auto* trouble = rig.window->findChild<QLabel*>("selectionTrouble");
+    QVERIFY(!trouble->text().isEmpty());
+    for (const Appearance theme : {Appearance::dark, Appearance::light}) {
+      rig.view.setAppearance(theme);
+      QCoreApplication::processEvents();
+      QCOMPARE(trouble->palette().color(QPalette::WindowText),
+               graphColors(theme == Appearance::dark).refused);
+    }
+    rig.view.setAppearance(Appearance::system);
+    QVERIFY(editor->isVisible());
     QTest::keyClick(editor, Qt::Key_Escape);
     QVERIFY(rig.document().button() == kept);
   }
