@@ -220,9 +220,9 @@ class Plot {
   void drawCurves(std::string& out) {
     const ForceGraph& graph = state_.graph;
     if (style_.tolerance || style_.tolerance_N) drawTolerance(out, travelledSamples(graph, Stroke::press));
-    // The press lies above the release, as in the editor: of their common bottom-out the press is seen.
-    if (graph.release()) drawStroke(out, Stroke::release, dash());
+    // The release lies above the press: its dashes on the common bottom-out are what the importer reads back.
     drawStroke(out, Stroke::press, "");
+    if (graph.release()) drawStroke(out, Stroke::release, dash());
   }
 
   std::string dash() const {

@@ -191,16 +191,6 @@ TEST_CASE("a box with room does not go on to a tick far behind the curves") {
   CHECK(frameOfPlot(state, style).x.last() == toTheTick.x.last());
 }
 
-TEST_CASE("the press is drawn above the release, as in the editor") {
-  for (const bool cut : {false, true}) {
-    SvgPlotStyle style;
-    if (cut) style.xEnds = AxisEnds{0, 2};
-    const std::string svg = svgFrom(*tactileButton(), style);
-    REQUIRE(svg.find("class=\"release\"") != std::string::npos);
-    CHECK(svg.find("class=\"release\"") < svg.find("class=\"press\""));
-  }
-}
-
 TEST_CASE("one plot per state; a missing release is not drawn") {
   CHECK(countOf(svgFrom(*selfLockingButton()), "class=\"press\"") == 2);
   const auto pressOnly = editGraph(*linearButton(), 0, [](const ForceGraph& g) { return removeRelease(g); });
