@@ -146,7 +146,8 @@ class Desktop:
 
 def geometry_report(program, file):
     """Environment in which a program of Qt writes names and places of its widgets to a file (tests/editor/geometry)."""
-    return {"QT_PLUGIN_PATH": str(Path(program).resolve().parent / "test_plugins"), "QT_QPA_GENERIC_PLUGINS": f"widget_geometry:{file}"}
+    return {"QT_PLUGIN_PATH": str(Path(program).resolve().parent / "test_plugins"), "QT_QPA_GENERIC_PLUGINS": "widget_geometry",
+            "DETENT_WIDGET_GEOMETRY": str(file)}
 
 
 class Editor:
