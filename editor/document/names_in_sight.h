@@ -31,6 +31,13 @@ class ShorteningHeader : public QHeaderView {
   Qt::TextElideMode side_;
 };
 
+/// Width that a table has for its row names and columns together, in pixels. Qt gives and takes the vertical
+/// header's part of the viewport later than it shows or hides the header, so that their widths added would be
+/// wrong in between.
+inline int widthForColumns_px(const QTableView& table) {
+  return table.viewport()->geometry().right() + 1 - table.contentsRect().left();
+}
+
 /// Space needed by a table, in pixels.
 struct NamedTable {
   int nameColumn = 0;
@@ -44,7 +51,7 @@ struct NamedTable {
 inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
   constexpr int leastName_px = 90;
   QHeaderView& names = *table.verticalHeader();
-  const int room_px = table.viewport()->width() + (names.isHidden() ? 0 : names.width());
+  const int room_px = widthForColumns_px(table);
   const bool narrow = needed.names_px + needed.numbers_px > room_px;
   table.setColumnHidden(needed.nameColumn, narrow);
   names.setVisible(narrow);

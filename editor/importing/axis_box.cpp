@@ -224,11 +224,9 @@ void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, bool
                      std::optional<std::size_t> unit) {
   const bool isX = axis_ == GraphAxis::x;
   state_.correct(isX ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
-    AxisCorrection& correction = c.axis(axis_);
-    // Given ticks also define the other end. From now on the ends are given instead of the ticks.
-    if (otherToo || !correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
-    correction.ticks.clear();
-    (isMax ? correction.max : correction.min) = value;
+    std::optional<double> min = value, max = otherToo ? other : std::nullopt;
+    if (isMax) std::swap(min, max);
+    giveEnds(c.axis(axis_), axis_, min, max, state_.corners());
     if (unit && isX) c.xUnit = offeredLengthUnits[*unit];
     if (unit && !isX) c.yUnit = offeredForceUnits[*unit];
   });

@@ -100,6 +100,27 @@ void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<Fram
   axis.min.reset(), axis.max.reset();
 }
 
+void giveEnds(AxisCorrection& axis, GraphAxis which, std::optional<double> min, std::optional<double> max,
+              const std::optional<FrameCorners>& corners) {
+  constexpr double samePlace = 1e-3;  // share of the axis
+  if (axis.ticks.empty() || !corners) {
+    axis.ticks.clear();
+    if (min) axis.min = min;
+    if (max) axis.max = max;
+    return;
+  }
+  AxisCorrection ends{min, max, {}};
+  endsToTicks(ends, which, corners);
+  for (const AxisTick& end : ends.ticks) {
+    const double endShare = shareAlong(which, *corners, end.at).value_or(0);
+    std::erase_if(axis.ticks, [&](const AxisTick& tick) {
+      const auto share = shareAlong(which, *corners, tick.at);
+      return share && std::abs(*share - endShare) < samePlace;
+    });
+    axis.ticks.push_back(end);
+  }
+}
+
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
                                       const std::vector<AxisTick>& given, const std::vector<AxisTick>& found,
                                       const std::vector<AxisTick>& foundEnds) {

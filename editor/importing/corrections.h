@@ -82,6 +82,11 @@ importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double s
 /// the ends are lost.
 void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
 
+/// Gives an axis the values at one or both of its ends, in the axis' unit. Ticks that are given already stay;
+/// an end is then one more tick, and replaces one at its place. Without corners the ticks are dropped.
+void giveEnds(AxisCorrection& axis, GraphAxis which, std::optional<double> min, std::optional<double> max,
+              const std::optional<FrameCorners>& corners);
+
 /// The ends that given ticks define. If all given ticks agree with the scale that was found, it is kept:
 /// `foundEnds` are two ticks at the ends of that scale, or none. Otherwise the line through the given ticks,
 /// by least squares; a single given tick is joined with the farthest found one. Nothing if that leaves fewer

@@ -220,6 +220,7 @@ void ComparePanel::removeLast() {
   if (sides_.size() <= 2) return;
   delete sides_.back()->row;
   sides_.pop_back();
+  chosen_ = true;
   update();
 }
 
@@ -247,8 +248,10 @@ void ComparePanel::setDocuments(const std::vector<ButtonDocument*>& documents) {
     }
   documents_ = documents;
   for (const auto& side : sides_) {
-    if (std::find(documents_.begin(), documents_.end(), side->document) == documents_.end())
+    if (std::find(documents_.begin(), documents_.end(), side->document) == documents_.end()) {
       side->document = documents_.empty() ? nullptr : documents_.front();
+      chosen_ = false;
+    }
     fillButtons(*side);
     fillStates(*side);
   }
@@ -256,6 +259,7 @@ void ComparePanel::setDocuments(const std::vector<ButtonDocument*>& documents) {
 }
 
 void ComparePanel::compare(ButtonDocument* first, ButtonDocument* second) {
+  chosen_ = false;
   sides_[0]->document = first;
   sides_[1]->document = second;
   for (const auto& side : sides_) {
@@ -283,6 +287,7 @@ bool ComparePanel::compares(const ButtonDocument& document) const {
 
 void ComparePanel::choose(Side& side, ButtonDocument* document) {
   side.document = document;
+  chosen_ = true;
   fillStates(side);
   update();
 }
@@ -291,6 +296,7 @@ void ComparePanel::exchange() {
   Side &a = *sides_[0], &b = *sides_[1];
   const int stateA = a.state->currentIndex(), stateB = b.state->currentIndex();
   compare(b.document, a.document);
+  chosen_ = true;
   a.state->setCurrentIndex(stateB);
   b.state->setCurrentIndex(stateA);
   update();
@@ -338,7 +344,8 @@ void ComparePanel::update() {
   fewer_->setEnabled(sides_.size() > 2);
   plot_->setGraphs(std::move(graphs), settings_.units());
   fillTable(states);
-  distance_->setText(states.size() < 2 ? tr("Open two buttons to compare them.") : distances(states));
+  const bool alone = states.size() < 2 || documents_.size() < 2;
+  distance_->setText(alone ? tr("Open two buttons to compare them.") : distances(states));
 }
 
 QString ComparePanel::distances(const std::vector<const ButtonState*>& states) const {
@@ -403,8 +410,7 @@ void ComparePanel::layOutTable() {
   const QHeaderView& heads = *table_->horizontalHeader();
   const int widestHead_px = longestHead * fontMetrics().averageCharWidth();
   NamedTable needed{0, view.sizeHintForColumn(0) + rowMargin_px};
-  int spare_px = table_->viewport()->width() - needed.names_px;
-  if (!table_->verticalHeader()->isHidden()) spare_px += table_->verticalHeader()->width();
+  int spare_px = widthForColumns_px(*table_) - needed.names_px;
   for (int column = 1; column < columns; ++column) spare_px -= view.sizeHintForColumn(column) + 1;
   for (int column = 1; column < columns; ++column) {
     const bool isUnit = column == columns - 1;

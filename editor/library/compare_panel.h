@@ -41,6 +41,8 @@ class ComparePanel : public QWidget {
   void compare(ButtonDocument* first, ButtonDocument* second);
   /// True if the button is one of those compared.
   bool compares(const ButtonDocument& document) const;
+  /// Returns true if the user has chosen the compared buttons in the panel since the last compare().
+  bool isChosen() const { return chosen_; }
   /// Compares exactly these, at most `mostSides`; a single one is shown on both sides.
   void compare(std::vector<ButtonDocument*> documents);
   /// Adds a button to those compared.
@@ -90,6 +92,7 @@ class ComparePanel : public QWidget {
   ViewSettings& settings_;
   std::vector<ButtonDocument*> documents_;
   std::vector<std::unique_ptr<Side>> sides_;  // at least two
+  bool chosen_ = false;
   QVBoxLayout* rows_ = nullptr;
   QSplitter* split_ = nullptr;
   /// contains the cursor's values and the tools, side by side in a wide panel

@@ -12,6 +12,7 @@ namespace detent::editor {
 namespace {
 
 constexpr double addingReach_px = 24;  // a wide reach, because a curve is the target, not a point
+constexpr double leastDrag_px = 6;     // a shorter drag counts as a click
 // Size of a jump that a click adds: an eighth of the travel wide, a fifth of its tactile force deep.
 constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
 
@@ -149,7 +150,7 @@ class MeasureTool : public Tool {
  public:
   using Tool::Tool;
   QString hint() const override {
-    return tr("Drag from one place to another to measure between them. Ctrl: no snapping.");
+    return tr("Drag from one place to another, or click both, to measure between them. Ctrl: no snapping.");
   }
   void leave() override {
     from_.reset();
@@ -157,20 +158,26 @@ class MeasureTool : public Tool {
   }
   bool pressed(const PointerInput& input) override {
     if (input.button != Qt::LeftButton) return false;
+    if (moved(input)) {  // the second of two clicks
+      from_.reset();
+      return true;
+    }
     leave();
     from_ = placeAt(input);
+    from_px_ = input.at_px;
+    context_.canvas.setFeedback(measuredTo(*from_));
     return true;
   }
   bool moved(const PointerInput& input) override {
+    if (!context_.canvas.feedback().measured) from_.reset();  // an edit has ended the measurement
     if (!from_) return false;
-    CanvasFeedback feedback;
-    feedback.measured = Measurement{*from_, placeAt(input)};
-    context_.canvas.setFeedback(feedback);
+    context_.canvas.setFeedback(measuredTo(placeAt(input)));
     return true;
   }
+  // A click leaves the first place open until the second one.
   bool released(const PointerInput& input) override {
     if (input.button != Qt::LeftButton || !from_) return false;
-    from_.reset();
+    if ((input.at_px - from_px_).manhattanLength() >= leastDrag_px) from_.reset();
     return true;
   }
   Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
@@ -183,7 +190,14 @@ class MeasureTool : public Tool {
     const auto hit = curveAt(context_.canvas, input.at_px);
     return hit ? hit->at : input.at;
   }
+  CanvasFeedback measuredTo(CurvePoint to) const {
+    CanvasFeedback feedback;
+    feedback.measured = Measurement{*from_, to};
+    return feedback;
+  }
+
   std::optional<CurvePoint> from_;
+  QPointF from_px_;
 };
 
 class ZoomTool : public Tool {
@@ -210,10 +224,9 @@ class ZoomTool : public Tool {
   }
   bool released(const PointerInput& input) override {
     if (input.button != Qt::LeftButton || !from_px_) return false;
-    constexpr double least_px = 6;  // a smaller rectangle counts as a click
     const QRectF part_px = QRectF(*from_px_, input.at_px).normalized();
     leave();
-    if (part_px.width() >= least_px && part_px.height() >= least_px) {
+    if (part_px.width() >= leastDrag_px && part_px.height() >= leastDrag_px) {
       context_.canvas.zoomTo(part_px);
     } else {
       const double factor = input.modifiers & Qt::ShiftModifier ? 0.5 : 2;

@@ -7434,8 +7434,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::MeasureTool</name>
     <message>
-        <source>Drag from one place to another to measure between them. Ctrl: no snapping.</source>
-        <translation>Von einer Stelle zur anderen ziehen, um dazwischen zu messen. Strg: kein Einrasten.</translation>
+        <source>Drag from one place to another, or click both, to measure between them. Ctrl: no snapping.</source>
+        <translation>Von einer Stelle zur anderen ziehen oder beide anklicken, um dazwischen zu messen. Strg: kein Einrasten.</translation>
     </message>
 </context>
 <context>

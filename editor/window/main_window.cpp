@@ -500,9 +500,10 @@ void MainWindow::compareWith(ButtonDocument* other) {
   compareAll({shown, other ? other : shown});
 }
 
-// Keeps a comparison that contains the shown button.
+// Keeps a comparison that contains the shown button, and one that the user has chosen.
 void MainWindow::compareShown(DocumentTab& tab) {
-  if (comparison_ && comparison_->compares(tab.document())) return showView(CentreView::compare);
+  if (comparison_ && (comparison_->isChosen() || comparison_->compares(tab.document())))
+    return showView(CentreView::compare);
   compareWith(nullptr);
 }
 

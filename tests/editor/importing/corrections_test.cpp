@@ -49,6 +49,29 @@ TEST_CASE("Ends that were typed stay as ticks when another tick is set") {
   CHECK(ends->max == Approx(6));
 }
 
+TEST_CASE("A typed end is one more tick beside those that were given") {
+  AxisCorrection axis;
+  axis.ticks = {{{140, 250}, 1}};
+  giveEnds(axis, GraphAxis::x, {}, 4, upright);
+  giveEnds(axis, GraphAxis::x, {}, 5, upright);  // typed again: it replaces the first one
+  REQUIRE(axis.ticks.size() == 2);
+  CHECK(axis.ticks[0].value == 1);
+  CHECK(axis.ticks[1].value == 5);
+  const auto ends = endsFromTicks(GraphAxis::x, upright, axis.ticks, {});
+  REQUIRE(ends);
+  CHECK(ends->min == Approx(0));
+  CHECK(ends->max == Approx(5));
+}
+
+TEST_CASE("Without given ticks a typed end is an end") {
+  AxisCorrection axis;
+  giveEnds(axis, GraphAxis::x, 0, {}, upright);
+  giveEnds(axis, GraphAxis::x, {}, 6, upright);
+  CHECK(axis.ticks.empty());
+  CHECK(axis.min == 0);
+  CHECK(axis.max == 6);
+}
+
 TEST_CASE("Two ticks with values define the ends of an axis") {
   const auto ends = endsFromTicks(GraphAxis::x, upright, {{{140, 250}, 1}, {{260, 250}, 4}}, {});
   REQUIRE(ends);

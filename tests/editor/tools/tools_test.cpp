@@ -199,6 +199,11 @@ void ToolsTest::measuresBetweenPoints() {
   QVERIFY(near(rig.canvas().feedback().measured->to.displacement_mm -
                    rig.canvas().feedback().measured->from.displacement_mm,
                30 / rig.canvas().mapping().pxPerX, 1e-9));
+  rig.click(rig.pixel(tactile));  // two clicks do the same
+  rig.click(rig.pixel(valley));
+  QVERIFY((rig.canvas().feedback().measured == Measurement{*peak, *low}));
+  rig.move(free);
+  QVERIFY((rig.canvas().feedback().measured == Measurement{*peak, *low}));
   QVERIFY(rig.button() == before);
   rig.action("toolSelect")->trigger();
   QVERIFY(!rig.canvas().feedback().measured);

@@ -1626,6 +1626,27 @@ class WindowTest : public QObject {
       QVERIFY(plot->plottable(i)->pen().color() != colors.release);
   }
 
+  void chosenPairOfAComparisonIsKept() {
+    Rig rig(folder_->path());
+    rig.window->files().open(
+        {sample("buttons/B.button.json"), sample("buttons/C.button.json"), sample("buttons/D.button.json")});
+    rig.action("compare")->trigger();
+    auto* panel = rig.window->findChild<ComparePanel*>();
+    const auto choice = [&](const char* name) { return panel->findChild<QComboBox*>(name); };
+    for (const auto& [name, index] : {std::pair{"compareButtonA", 1}, std::pair{"compareButtonB", 0}}) {
+      choice(name)->setCurrentIndex(index);
+      emit choice(name)->activated(index);
+    }
+    const QString first = choice("compareButtonA")->currentText(),
+                  second = choice("compareButtonB")->currentText();
+    for (const char* view : {"edit", "feel"}) {  // the shown button, D, is not one of the two
+      rig.action(view)->trigger();
+      rig.action("compare")->trigger();
+      QCOMPARE(choice("compareButtonA")->currentText(), first);
+      QCOMPARE(choice("compareButtonB")->currentText(), second);
+    }
+  }
+
   // The desktop turns dark and light again while the editor runs: the texts of every open window stay
   // readable.
   void theDesktopsChangeOfThemeIsFollowed() {
