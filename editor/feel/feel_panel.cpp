@@ -88,7 +88,6 @@ FeelPanel::FeelPanel(ViewSettings& settings, FeelSession& session, QWidget* pare
 
 QWidget* FeelPanel::padColumn(ViewSettings& settings) {
   pad_ = described(new PressPad(settings), "pressPad");
-  setFocusProxy(pad_);  // so that the keys press the button as soon as the panel is shown
   strip_ = described(new PressStrip, "pressStrip");
   auto* whole = new QWidget;
   auto* column = bare(new QVBoxLayout(whole), 6);
@@ -435,6 +434,8 @@ void FeelPanel::showEvents(const std::vector<playback::EngineEvent>& events) {
 }
 
 // ---- panel
+
+void FeelPanel::takeKeys() { pad_->setFocus(); }
 
 QVariantMap FeelPanel::saveState() const {
   QVariantMap state = session_.saveState();

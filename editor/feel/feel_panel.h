@@ -34,6 +34,9 @@ class FeelPanel : public QWidget {
   /// Exchanges A and B (X), for menus and the list of shortcuts.
   QAction* exchangeAction() const { return exchange_; }
 
+  /// Lets the keys press the button from now on.
+  void takeKeys();
+
   /// The choices of the session and of the panel.
   QVariantMap saveState() const;
   void restoreState(const QVariantMap& state);

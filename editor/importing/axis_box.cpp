@@ -226,7 +226,8 @@ void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, bool
   state_.correct(isX ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
     std::optional<double> min = value, max = otherToo ? other : std::nullopt;
     if (isMax) std::swap(min, max);
-    giveEnds(c.axis(axis_), axis_, min, max, state_.corners());
+    const ImportGraph* graph = state_.current();
+    giveEnds(c.axis(axis_), axis_, min, max, graph ? graph->corners() : std::nullopt);
     if (unit && isX) c.xUnit = offeredLengthUnits[*unit];
     if (unit && !isX) c.yUnit = offeredForceUnits[*unit];
   });

@@ -227,7 +227,7 @@ void MainWindow::showView(CentreView view) {
   }
   for (QAction* tool : toolMenu_.shown) tool->setVisible(view != CentreView::compare);
   putDocksAway(view != CentreView::edit || !tabs_->current());
-  if (view == CentreView::feel) feel_->setFocus();
+  if (view == CentreView::feel) feel_->takeKeys();
   if (view == CentreView::edit && tabs_->current()) tabs_->current()->workspace().setFocus();
 }
 
