@@ -57,6 +57,8 @@
 #include "editor/library/compare_panel.h"
 #include "editor/library/morph_dialog.h"
 #include "editor/panels/checks_panel.h"
+#include "editor/panels/key_figures_model.h"
+#include "editor/panels/key_figures_panel.h"
 #include "editor/panels/operation_dialog.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
@@ -1624,6 +1626,24 @@ class WindowTest : public QObject {
     for (int i = 0; i < plot->plottableCount(); ++i)
       // the release's colour means a stroke, so no plot may have it
       QVERIFY(plot->plottable(i)->pen().color() != colors.release);
+  }
+
+  // A second button's inspector is laid out while it is hidden; its table has room for the names all the same.
+  void namesOfKeyFiguresStandInTheirColumn() {
+    Rig rig(folder_->path());
+    rig.window->resize(1280, 720);
+    for (const char* name : {"B", "C", "E"}) {
+      rig.window->files().open({sample("buttons/") + name + ".button.json"});
+      int shown = 0;
+      for (auto* panel : rig.window->findChildren<KeyFiguresPanel*>()) {
+        if (!panel->isVisible()) continue;
+        ++shown;
+        auto* table = panel->findChild<QTableView*>();
+        QTRY_VERIFY2(table->verticalHeader()->isHidden(), name);
+        QTRY_VERIFY2(!table->isColumnHidden(KeyFiguresModel::figure), name);
+      }
+      QCOMPARE(shown, 1);
+    }
   }
 
   void chosenPairOfAComparisonIsKept() {
