@@ -194,8 +194,8 @@ std::optional<GraphReader::Wider> GraphReader::readWider(const LocatedGraph& gra
   return Wider{std::move(*widened), std::move(*followed), std::move(strokes), std::move(explanation)};
 }
 
-GraphReading GraphReader::read(const ImportRequest& request, double magnification,
-                               const std::optional<GraphPlace>& place, const Progress& untimed) {
+PlacedAttempt GraphReader::read(const ImportRequest& request, double magnification,
+                                const std::optional<GraphPlace>& place, const Progress& untimed) {
   const Progress progress = limited(untimed, request.timeLimit);
   if (progress.report) progress.report(0.05, ImportStep::locate);
   auto choice = choose(request, magnification, place, progress);

@@ -11,8 +11,8 @@
 
 namespace detent::importer {
 
-/// A reading, and the graph that it chose.
-struct GraphReading {
+/// An attempt at a reading, and the place of the graph that it chose.
+struct PlacedAttempt {
   ImportAttempt attempt;
   std::optional<GraphPlace> place = {};  ///< empty if no graph was found
 };
@@ -32,8 +32,8 @@ class GraphReader {
   const StepSeconds& seconds() const { return seconds_; }  ///< since startTiming
 
   /// Reads the graph that the request asks for at a magnification of its page; with a place, the graph there.
-  GraphReading read(const ImportRequest& request, double magnification,
-                    const std::optional<GraphPlace>& place, const Progress& progress);
+  PlacedAttempt read(const ImportRequest& request, double magnification,
+                     const std::optional<GraphPlace>& place, const Progress& progress);
 
   /// The switches that the requested graph shows.
   Result<std::vector<PlotSwitch>> switches(const ImportRequest& request, const Progress& progress);

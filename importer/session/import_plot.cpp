@@ -35,7 +35,7 @@ ImportAttempt readAgain(GraphReader& reader, const ImportRequest& request, const
   Progress half = progress;
   if (progress.report)
     half.report = [&](double share, ImportStep step) { progress.report(from + 0.5 * share, step); };
-  GraphReading asItIs = reader.read(openly, 1, {}, half);
+  PlacedAttempt asItIs = reader.read(openly, 1, {}, half);
   PageReading first{1, std::move(asItIs.attempt)};
   const std::optional<GraphPlace> place = std::move(asItIs.place);
   if (progress.isCancelled()) return {pages.cancelled(), {}};

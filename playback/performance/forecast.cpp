@@ -57,7 +57,7 @@ NoForecast placeContact(const ButtonState& state, const ForecastSettings& settin
   return most_N < leastForce_N ? NoForecast::tooLight : NoForecast::none;
 }
 
-double valueOf(const PressPlan& plan, PressFigure figure) {
+double valueOf(const FingerPlan& plan, PressFigure figure) {
   constexpr double thousand = 1000;
   const PressStatistics& s = plan.result;
   switch (figure) {
@@ -92,7 +92,7 @@ double valueOf(const PressPlan& plan, PressFigure figure) {
   return 0;
 }
 
-using Plans = std::vector<std::optional<PressPlan>>;
+using Plans = std::vector<std::optional<FingerPlan>>;
 
 /// Fingers are planned independently, so the number of threads changes only the time.
 Plans planAll(const KeyTables& key, const PressTask& task, unsigned threads,
@@ -118,7 +118,7 @@ Plans planAll(const KeyTables& key, const PressTask& task, unsigned threads,
 
 void fillIn(PressForecast& forecast) {
   for (std::size_t f = 0; f < pressFigureCount; ++f)
-    for (const PressPlan& plan : forecast.plans)
+    for (const FingerPlan& plan : forecast.plans)
       forecast.ofFingers[f].push_back(valueOf(plan, static_cast<PressFigure>(f)));
 }
 
@@ -191,7 +191,7 @@ std::optional<PressForecast> forecastPress(const Button& button, const ForecastS
                        settings.period_s};
   const Plans plans = planAll(key, task, settings.threads, cancelled);
   if (plans.empty()) return {};
-  for (const std::optional<PressPlan>& plan : plans) {
+  for (const std::optional<FingerPlan>& plan : plans) {
     if (plan) forecast.plans.push_back(*plan);
   }
   if (forecast.plans.size() !=

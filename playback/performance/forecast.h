@@ -72,7 +72,7 @@ struct PressForecast {
   bool jumpIsFelt = false;
   std::array<std::vector<double>, pressFigureCount> ofFingers;  ///< empty: no forecast, see `why`
   std::array<NoForecast, pressFigureCount> why{};
-  std::vector<PressPlan> plans;  ///< plan of each finger; empty if none was forecast
+  std::vector<FingerPlan> plans;  ///< plan of each finger; empty if none was forecast
 
   const std::vector<double>& operator[](PressFigure f) const {
     return ofFingers[static_cast<std::size_t>(f)];

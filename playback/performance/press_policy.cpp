@@ -129,7 +129,7 @@ class Search {
       tryAmplitude(*response, {amplitude_N, duration_s, lift_s});
   }
 
-  const std::optional<PressPlan>& best() const { return best_; }
+  const std::optional<FingerPlan>& best() const { return best_; }
   double highestRate_per_s() const { return highestRate_per_s_; }
 
  private:
@@ -141,13 +141,13 @@ class Search {
     const double cost = costOf(s, missesExpected(response, finger_, task_, command.amplitude_N, s.missed));
     if (cost >= leastCost_) return;
     leastCost_ = cost;
-    best_ = PressPlan{command, s, 0, 0, 0};
+    best_ = FingerPlan{command, s, 0, 0, 0};
   }
 
   const KeyTables& key_;
   const Finger& finger_;
   const PressTask& task_;
-  std::optional<PressPlan> best_;
+  std::optional<FingerPlan> best_;
   double leastCost_ = std::numeric_limits<double>::infinity();
   double highestRate_per_s_ = 0;
 };
@@ -170,7 +170,7 @@ double accidentalShare(const KeyTables& key, double close_m, const Finger& finge
   return 1 - normalShare(low);
 }
 
-double timePerCorrectPress(const PressPlan& plan, const Finger& finger, bool jumpIsFelt) {
+double timePerCorrectPress(const FingerPlan& plan, const Finger& finger, bool jumpIsFelt) {
   const PressStatistics& s = plan.result;
   const double notice_s = jumpIsFelt ? finger.feedbackDelay_s : unfeltNotice_s;
   return s.cycle_s + s.missed * (s.cycle_s + notice_s) +
@@ -184,7 +184,7 @@ double amplitudeSpread_N(const Finger& finger, double amplitude_N) {
   return std::sqrt(own_N * own_N + tremor_N * tremor_N);
 }
 
-std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task) {
+std::optional<FingerPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task) {
   Search search(key, finger, task);
   for (const double duration_s : {0.05, 0.065, 0.08, 0.1, 0.125}) search.tryStroke(duration_s, 0);
   if (!search.best()) return {};
@@ -192,7 +192,7 @@ std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, c
   for (const double lift_s : {-0.02, 0.02}) search.tryStroke(duration_s, lift_s);
   const double lift_s = search.best()->command.lift_s;
   for (const double ratio : {0.9, 1.1}) search.tryStroke(duration_s * ratio, lift_s);
-  PressPlan plan = *search.best();
+  FingerPlan plan = *search.best();
   plan.accidental = accidentalShare(key, task.contact.close_m, finger);
   plan.highestRate_per_s = search.highestRate_per_s();
   plan.timePerCorrectPress_s = timePerCorrectPress(plan, finger, task.jumpIsFelt);

@@ -30,7 +30,7 @@ struct PressStatistics {
 };
 
 /// The plan of one finger and its results.
-struct PressPlan {
+struct FingerPlan {
   PressCommand command;
   PressStatistics result;
   double accidental = 0;         ///< share of resting fingers that activate the button
@@ -42,6 +42,6 @@ struct PressPlan {
 double amplitudeSpread_N(const Finger& finger, double amplitude_N);
 
 /// Empty if no allowed command activates the contact, or if none fits the period.
-std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task);
+std::optional<FingerPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task);
 
 }  // namespace detent::playback
