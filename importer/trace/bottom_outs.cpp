@@ -109,14 +109,17 @@ bool standsOut(double more_px, const Thickness& above, const Thickness& line, do
 constexpr int kLaneReach_px = 6;
 
 /// Mean over some rows of a lane's difference to the paper, added across it: its colour times its thickness.
+/// Rows and columns outside the area do not count.
 std::optional<Color3> laneColour(const PlotScene& scene, double x, double y0, double y1) {
   const int middle = static_cast<int>(std::lround(x));
   Color3 sum;
   int rows = 0;
-  for (int y = static_cast<int>(std::ceil(y0)); y <= y1; ++y) {
+  const Raster& raster = scene.area().raster;
+  const int last = static_cast<int>(std::min(std::floor(y1), raster.height_px - 1.0));
+  for (int y = std::max(0, static_cast<int>(std::ceil(y0))); y <= last; ++y) {
     if (isAtOneOf(scene.area().rows_px, y, 3)) continue;
     for (int at = std::max(0, middle - kLaneReach_px);
-         at <= std::min(scene.area().raster.width_px - 1, middle + kLaneReach_px); ++at)
+         at <= std::min(raster.width_px - 1, middle + kLaneReach_px); ++at)
       sum = sum + (scene.pixel(at, y) - scene.paperAt(at, y));
     ++rows;
   }
