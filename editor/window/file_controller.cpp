@@ -95,12 +95,12 @@ void FileController::importMany() {
       return chosen;
     };
     actions.folder = [this](QWidget* parent) {
-      const QString chosen = at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
+      QString chosen = at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
       if (!chosen.isEmpty()) at_.rememberFolder(chosen);
       return chosen;
     };
     actions.folderToSave = [this](QWidget* parent) {
-      const QString chosen = at_.prompts.folder(parent, tr("Save the buttons in"), at_.folderToSave());
+      QString chosen = at_.prompts.folder(parent, tr("Save the buttons in"), at_.folderToSave());
       if (!chosen.isEmpty()) at_.rememberSavedIn(chosen);
       return chosen;
     };
