@@ -189,10 +189,11 @@ Ends endsBeside(const Curve& curve, const std::vector<Curve>& curves, Color3 pap
 /// curve's or another's that ends there; nullopt without others or rows.
 std::optional<double> ownThickness(const Curve& curve, const Ends& ends, double x, double y0, double y1,
                                    const PlotScene& scene) {
+  if (ends.others.empty()) return {};
   const double margin = 1.5 * curve.thickness_px + 2;
   const auto above = laneColour(scene, x, y0, y1),
              below = laneColour(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin);
-  if (ends.others.empty() || !above || !below) return {};
+  if (!above || !below) return {};
   double least_px = INFINITY;
   const PaletteColour own = paletteColourOf(curve.color, scene.paper());
   for (const PaletteColour& other : ends.others)

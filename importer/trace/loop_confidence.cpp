@@ -31,7 +31,7 @@ double shareOnCurve(const std::vector<Point>& path, const Structure& s, float ga
     for (int v = y - 1; v <= y + 1; ++v) {
       for (int u = x - 1; u <= x + 1; ++u) {
         if (!s.remainingCoverage.inside(u, v)) continue;
-        const bool line = s.explained.at(u, v) > 0.3F * s.curveLevel;
+        const bool line = s.isOnLine(u, v);
         best = std::max({best, s.remainingCoverage.at(u, v), line ? 0.5F : 0.0F});
       }
     }
@@ -47,7 +47,7 @@ double shareAlongLines(const std::vector<Point>& path, const Structure& s) {
   for (const Point& p : path) {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
     if (!s.remainingCoverage.inside(x, y)) continue;
-    if (s.explained.at(x, y) > 0.3F * s.curveLevel && s.remainingCoverage.at(x, y) < 0.35F) ++along;
+    if (s.isOnLine(x, y) && s.remainingCoverage.at(x, y) < 0.35F) ++along;
   }
   return path.empty() ? 0 : double(along) / double(path.size());
 }

@@ -20,7 +20,7 @@ Plane openPixels(const Structure& s, const WorkPlane& plane) {
     if (y < plane.frame.y0 - kOutside || y > plane.frame.y1 + kOutside) continue;
     for (int x = 0; x < open.width; ++x) {
       if (x < plane.frame.x0 - kOutside || x > plane.frame.x1 + kOutside) continue;
-      const bool line = s.explained.at(x, y) > 0.3F * s.curveLevel;
+      const bool line = s.isOnLine(x, y);
       open.at(x, y) = s.gapDistance.at(x, y) <= (line ? kAlongLine : kNear) ? 1.0F : 0.0F;
     }
   }
@@ -242,7 +242,7 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
       const int x = static_cast<int>(std::lround(q.x)), y = static_cast<int>(std::lround(q.y));
       if (!s.remainingCoverage.inside(x, y)) continue;
       if (s.remainingCoverage.at(x, y) > 0.5F) inked = q;
-      hidden = hidden || s.explained.at(x, y) > 0.3F * s.curveLevel;
+      hidden = hidden || s.isOnLine(x, y);
     }
     if (hidden && !inked) continue;
     const bool ownEnd = dashes.empty() && dash.empty() && gap < kLeastGap;
@@ -264,6 +264,13 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
   return dashes;
 }
 
+/// Returns true off all marks, including the plot's straight lines: farther than `off_px` from the nearest
+/// curve pixel.
+bool isPaper(Point p, const Structure& s, float off_px) {
+  const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+  return s.gapDistance.inside(x, y) && s.gapDistance.at(x, y) > off_px && !s.isOnLine(x, y);
+}
+
 /// Points of a path from which on it crosses paper: gaps of two pixels and more, in order.
 std::vector<std::size_t> gapsAlong(const std::vector<Point>& path, const Structure& s) {
   constexpr std::size_t kLeastGap = 2;
@@ -271,10 +278,7 @@ std::vector<std::size_t> gapsAlong(const std::vector<Point>& path, const Structu
   std::vector<std::size_t> gaps;
   std::size_t bare = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const int x = static_cast<int>(std::lround(path[i].x)), y = static_cast<int>(std::lround(path[i].y));
-    const bool paper = s.gapDistance.inside(x, y) && s.gapDistance.at(x, y) > kOff_px &&
-                       s.explained.at(x, y) <= 0.3F * s.curveLevel;
-    bare = paper ? bare + 1 : 0;
+    bare = isPaper(path[i], s, kOff_px) ? bare + 1 : 0;
     if (bare == kLeastGap) gaps.push_back(i + 1 - kLeastGap);
   }
   return gaps;
@@ -464,7 +468,8 @@ class PairSearch {
       Point from{};
       for (std::size_t i = 1; i < stroke.size(); ++i) {
         if (run_px == 0) from = stroke[i - 1];
-        run_px = onPaper(stroke[i]) ? run_px + distance(stroke[i], stroke[i - 1]) : 0;
+        run_px =
+            isPaper(stroke[i], structure_, kOffCurve_px) ? run_px + distance(stroke[i], stroke[i - 1]) : 0;
         if (run_px >= jump_px && goesOn(from)) return true;
       }
       return false;
@@ -518,13 +523,6 @@ class PairSearch {
 
  private:
   double radius() const { return stroke_ / 2 + 0.5; }
-
-  /// Returns true off all marks, including the plot's straight lines.
-  bool onPaper(Point p) const {
-    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
-    return structure_.gapDistance.inside(x, y) && structure_.gapDistance.at(x, y) > kOffCurve_px &&
-           structure_.explained.at(x, y) <= 0.3F * structure_.curveLevel;
-  }
 
   std::vector<Point> bothStrokes() const {
     std::vector<Point> points = a_;

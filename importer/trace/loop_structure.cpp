@@ -488,7 +488,7 @@ bool isArrow(const std::vector<Point>& pixels, double strokeWidth, const Box& fr
 /// piece of a curve that they cut.
 void fadeArrows(Plane& curveCoverage, Plane& explained, float level, double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveCoverage, 0.3F);
-  cv::Mat lines = matOf(explained) > 0.3F * level;
+  cv::Mat lines = matOf(explained) > Structure::leastOfLine * level;
   cv::dilate(lines, lines, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   const auto touchesLine = [&](Point p) {
     return lines.at<std::uint8_t>(static_cast<int>(p.y), static_cast<int>(p.x)) != 0;

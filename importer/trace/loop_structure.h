@@ -36,6 +36,10 @@ struct Structure {
   Plane gapDistance;        ///< px to the nearest remaining pixel that is no text
   float curveLevel = 1;     ///< coverage of the curves' ridge
   double strokeWidth_px = 1;
+
+  static constexpr float leastOfLine = 0.3F;  ///< share of `curveLevel` from which on a line is seen
+  /// Returns true if a straight line of the plot is drawn at a pixel of the plane.
+  bool isOnLine(int x, int y) const { return explained.at(x, y) > leastOfLine * curveLevel; }
 };
 
 /// `lettering`: boxes of read text, plane px; marks completely inside are no curve.
