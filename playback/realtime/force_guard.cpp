@@ -252,6 +252,8 @@ bool ForceGuard::droppedOutLately() const {
   return std::ranges::any_of(dropOuts_s_, [&](double at_s) { return time_s_ - at_s <= thrown_s; });
 }
 
+bool ForceGuard::pausedLately() const { return time_s_ - stalledAt_s_ <= thrown_s; }
+
 bool ForceGuard::mayRise() const {
   return started_ && !stopping_ && !tooFast_ && halt() == ForceHalt::none && bad_ <= held() &&
          (running_ || (speedKnown_ && good_ > limits_.heldReadings));
@@ -338,7 +340,7 @@ void ForceGuard::watchRunaway(std::optional<double> velocity_mm_per_s) {
   // A force that came and went, or a pause, has thrown the handle there.
   if (droppedOutLately()) {
     latch(ForceHalt::dropOuts);
-  } else if (time_s_ - stalledAt_s_ <= thrown_s) {
+  } else if (pausedLately()) {
     displace();
   } else {
     latch(ForceHalt::runaway);

@@ -116,6 +116,7 @@ class ForceGuard {
   void watchRunaway(std::optional<double> velocity_mm_per_s);
   void countDropOut();
   bool droppedOutLately() const;
+  bool pausedLately() const;
 
   ForceLimits limits_;
   double period_s_, step_mm_;
