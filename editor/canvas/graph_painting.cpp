@@ -820,13 +820,12 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
 }
 
 // A numbered flag at the curve; short texts are also shown beside the flag.
-void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                const std::vector<QPointF>& strokes_px) {
   // distance of the flag from the curve, beyond the force label of a tactile point; half of the flag's width
   constexpr double flag_px = 46, half_px = 8;
   constexpr double beside_px = 26;  // half the flag and the margins of the text box
   constexpr int longest = 32, outside = 1000;
-  if (scene.notes.empty()) return;
-  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
     if (!at) continue;
@@ -936,16 +935,16 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 
 void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   paintCurves(painter, map, scene);
+  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
   if (!scene.notes.empty() || (scene.handlesShown && !scene.pinned.empty())) {
     painter.save();
     painter.setClipRect(map.clip_px, Qt::IntersectClip);
-    paintNotes(painter, map, scene);
+    paintNotes(painter, map, scene, strokes_px);
     if (scene.handlesShown) paintPins(painter, map, scene);
     painter.restore();
   }
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
-  const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
   const std::optional<QRectF> legend = paintLegend(painter, map, scene, strokes_px);
   paintSpeedLabels(painter, map, scene);
   paintMarks(painter, map, scene, strokes_px, legend);

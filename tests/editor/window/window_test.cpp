@@ -1628,7 +1628,7 @@ class WindowTest : public QObject {
       QVERIFY(plot->plottable(i)->pen().color() != colors.release);
   }
 
-  // A second button's inspector is laid out while it is hidden; its table has room for the names all the same.
+  // A second button's inspector is laid out while it is hidden; its table has room for the names even so.
   void namesOfKeyFiguresStandInTheirColumn() {
     Rig rig(folder_->path());
     rig.window->resize(1280, 720);
