@@ -262,17 +262,17 @@ std::optional<Failure> refusalOf(const std::vector<Button>& buttons, const std::
   const auto refuse = [](const char* subject, Message problem, const Message& advice) {
     return Failure{FailureCode::wrongUsage, subject, "", std::move(problem), advice};
   };
-  if (buttons.empty()) return refuse("buttons", Message("there is none"), Message("Pass one or more"));
+  if (buttons.empty()) return refuse("buttons", Message("there are none"), Message("Give one or more"));
   const auto usable = [](double weight) { return std::isfinite(weight) && weight >= 0; };
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   if (weights.size() != buttons.size() || !std::ranges::all_of(weights, usable) || !(sum > 0) ||
       !std::isfinite(sum))
-    return refuse("weights", Message("they do not fit the buttons"),
-                  Message("Pass one per button, 0 or more, not all 0"));
+    return refuse("weights", Message("their number or values do not suit the buttons"),
+                  Message("Give each button one weight of 0 or more, but not 0 to all"));
   for (const Button& button : buttons)
     if (button.states().size() != buttons.front().states().size())
       return refuse("buttons", Message("some are momentary and some self-locking"),
-                    Message("Pass buttons of one kind"));
+                    Message("Give buttons of one kind"));
   return {};
 }
 
@@ -302,7 +302,8 @@ Result<Button> blend(const std::vector<Button>& buttons, const std::vector<doubl
 
 Result<Button> between(const Button& from, const Button& to, double share, const SectionSettings& settings) {
   if (!(share >= 0 && share <= 1))
-    return Failure{FailureCode::wrongUsage, "share", "", Message("it is %1", share), Message("Pass 0 to 1")};
+    return Failure{FailureCode::wrongUsage, "share", "", Message("the share is %1", share),
+                   Message("Give a share from 0 to 1")};
   if (auto refusal = refusalOf({from, to}, {1, 1})) return std::move(*refusal);
   if (share == 0) return from;
   if (share == 1) return to;

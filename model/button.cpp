@@ -21,9 +21,9 @@ std::optional<Failure> pointProblem(const Message& place, const Message& name, s
   if (!point_mm) return {};
   if (*point_mm >= curve.start_mm() && *point_mm <= curve.end_mm()) return {};
   return buttonFailure(place,
-                       Message("%1 at %2 lies outside its stroke, %3 to %4", name, millimetres(*point_mm),
+                       Message("%1 at %2 lies outside its stroke (%3 to %4)", name, millimetres(*point_mm),
                                millimetres(curve.start_mm()), millimetres(curve.end_mm())),
-                       Message("Move it inside the travel or leave it out"));
+                       Message("Move the point inside the travel, or remove it"));
 }
 
 std::optional<Failure> dampingProblem(const Message& place, const std::vector<DampingPoint>& damping) {
@@ -35,7 +35,7 @@ std::optional<Failure> dampingProblem(const Message& place, const std::vector<Da
                            Message("displacement %1 is not a usable number", millimetres(p.displacement_mm)),
                            Message("Give a displacement inside the travel"));
     if (!std::isfinite(p.damping_Ns_per_mm) || p.damping_Ns_per_mm < 0)
-      return buttonFailure(at, Message("damping %1 N·s/mm is not finite and >= 0", p.damping_Ns_per_mm),
+      return buttonFailure(at, Message("damping %1 N·s/mm is not a number of 0 or more", p.damping_Ns_per_mm),
                            Message("Give 0 where there is no damping"));
     if (i > 0 && !(p.displacement_mm > damping[i - 1].displacement_mm))
       return buttonFailure(at, Message("displacement %1 does not increase", millimetres(p.displacement_mm)),
@@ -49,15 +49,16 @@ Message speedText(double speed_mm_per_s) { return Message("%1 mm/s", speed_mm_pe
 std::optional<Failure> speedProblem(const Message& place, const ButtonState& state) {
   const std::size_t speeds = state.otherSpeeds.size() + (state.speed_mm_per_s ? 1 : 0);
   if (!state.speed_mm_per_s)
-    return buttonFailure(place, Message("has graphs at other speeds, but does not state its own"),
-                         Message("State the speed of its own graph in mm/s"));
+    return buttonFailure(place, Message("has graphs at other speeds, but states no speed for its main graph"),
+                         Message("State the speed of the main graph in mm/s"));
   if (state.otherSpeeds.empty())
     return buttonFailure(
-        place, Message("states %1, but has no graph at another speed", speedText(*state.speed_mm_per_s)),
-        Message("Give a graph at another speed, or state none"));
+        place,
+        Message("states the speed %1, but has no graph at another speed", speedText(*state.speed_mm_per_s)),
+        Message("Give a graph at another speed, or state no speed"));
   if (speeds > Button::mostSpeeds)
     return buttonFailure(place, Message("has graphs at %1 speeds", speeds),
-                         Message("Keep two to four of them"));
+                         Message("Keep two to four graphs"));
   std::vector<double> stated{*state.speed_mm_per_s};
   for (const SpeedGraph& other : state.otherSpeeds) stated.push_back(other.speed_mm_per_s);
   for (std::size_t i = 0; i < stated.size(); ++i) {
@@ -66,12 +67,13 @@ std::optional<Failure> speedProblem(const Message& place, const ButtonState& sta
           place, Message("speed %1 is not a usable speed", speedText(stated[i])),
           Message("Give speeds above 0, up to %1", speedText(Button::largestSpeed_mm_per_s)));
     if (i > 0 && stated[i] == stated[0])
-      return buttonFailure(place, Message("states %1 twice", speedText(stated[i])),
+      return buttonFailure(place, Message("states the speed %1 twice", speedText(stated[i])),
                            Message("Give each graph a speed of its own"));
     if (i > 1 && !(stated[i] > stated[i - 1]))
-      return buttonFailure(
-          place, Message("speed %1 does not rise above %2", speedText(stated[i]), speedText(stated[i - 1])),
-          Message("Order the other graphs by rising speed, each stated once"));
+      return buttonFailure(place,
+                           Message("speed %1 is not above the previous speed %2", speedText(stated[i]),
+                                   speedText(stated[i - 1])),
+                           Message("Sort the other graphs by increasing speed, each speed once"));
   }
   return {};
 }
@@ -86,19 +88,21 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
     const Message at("%1, %2", place, speedText(other.speed_mm_per_s));
     if (other.graph.release().has_value() != state.graph.release().has_value())
       return buttonFailure(at,
-                           other.graph.release() ? Message("has a release, which that at %1 lacks", own)
-                                                 : Message("lacks a release, which that at %1 has", own),
+                           other.graph.release()
+                               ? Message("has a release, but the graph at %1 has none", own)
+                               : Message("has no release, but the graph at %1 has one", own),
                            Message("Give all speeds a release, or none"));
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
       const StrokeCurve &mine = state.graph.curve(stroke), &theirCurve = other.graph.curve(stroke);
       for (const auto& [from_mm, to_mm] :
            {std::pair{theirCurve.start_mm(), mine.start_mm()}, std::pair{theirCurve.end_mm(), mine.end_mm()}})
         if (std::abs(from_mm - to_mm) > apart_mm)
-          return buttonFailure(at,
-                               Message("the %1 has an end at %2, that at %3 at %4: more than %5 apart",
-                                       stroke == Stroke::press ? Message("press") : Message("release"),
-                                       millimetres(from_mm), own, millimetres(to_mm), millimetres(apart_mm)),
-                               Message("Give graphs of one button, with the same travel"));
+          return buttonFailure(
+              at,
+              Message("one end of the %1 lies at %2, but at %4 in the graph of %3: more than %5 apart",
+                      stroke == Stroke::press ? Message("press") : Message("release"), millimetres(from_mm),
+                      own, millimetres(to_mm), millimetres(apart_mm)),
+              Message("Give graphs of one button, with the same travel"));
     }
     if (auto problem =
             pointProblem(at, Message("operating point"), state.operatingPoint_mm, other.graph.press()))
@@ -122,9 +126,9 @@ std::optional<Failure> differentSpeeds(const std::vector<ButtonState>& states) {
     const ButtonState& state = states[i];
     if (state.speed_mm_per_s && first.speed_mm_per_s && *state.speed_mm_per_s != *first.speed_mm_per_s)
       return buttonFailure(placeOf(states, i),
-                           Message("is at %1, %2 at %3", speedText(*state.speed_mm_per_s), placeOf(states, 0),
-                                   speedText(*first.speed_mm_per_s)),
-                           Message("Let the own graph of every state be the one of the same speed"));
+                           Message("states the speed %1, but %2 states %3", speedText(*state.speed_mm_per_s),
+                                   placeOf(states, 0), speedText(*first.speed_mm_per_s)),
+                           Message("Choose the same speed for the main graph of every state"));
     if (state.speed_mm_per_s != first.speed_mm_per_s ||
         !atTheSameSpeeds(state.otherSpeeds, first.otherSpeeds))
       return buttonFailure(placeOf(states, i),
@@ -153,8 +157,8 @@ std::optional<Failure> stateProblem(const std::vector<ButtonState>& states, std:
 
 std::optional<Failure> provenanceProblem(const Provenance& provenance) {
   const auto fault = [](const Message& what, double value) {
-    return buttonFailure(Message("provenance"), Message("%1 is %2, not a finite number", what, value),
-                         Message("Leave out what is not known"));
+    return buttonFailure(Message("provenance"), Message("%1 is %2, not a usable number", what, value),
+                         Message("Leave out values that you do not know"));
   };
   for (double edge : provenance.frame)
     if (!std::isfinite(edge)) return fault(Message("frame edge"), edge);
@@ -164,7 +168,7 @@ std::optional<Failure> provenanceProblem(const Provenance& provenance) {
       if (!std::isfinite(value)) return fault(Message("axis value"), value);
   }
   for (double value : {provenance.pressRms_px, provenance.releaseRms_px, provenance.confidence})
-    if (!std::isfinite(value)) return fault(Message("residual or confidence"), value);
+    if (!std::isfinite(value)) return fault(Message("deviation or confidence"), value);
   return {};
 }
 

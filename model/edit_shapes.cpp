@@ -104,17 +104,19 @@ std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Messag
   if (!between)
     return shapeRefusal(
         place,
-        Message("cannot move to %1, outside its flanks from %2 to %3", millimetres(to.displacement_mm),
+        Message("cannot move to %1: it must stay between %2 and %3", millimetres(to.displacement_mm),
                 millimetres(before.displacement_mm), millimetres(after.displacement_mm)),
-        Message("Keep it between the neighbouring extrema"));
+        Message("Keep the point between the neighbouring peaks and valleys"));
   const bool top = apex.force_N > before.force_N || apex.force_N > after.force_N;
   const double bound =
       top ? std::max(before.force_N, after.force_N) : std::min(before.force_N, after.force_N);
   const bool stays = std::isfinite(to.force_N) && (top ? to.force_N > bound : to.force_N < bound);
   if (stays) return {};
-  return shapeRefusal(
-      place, Message("would be no extremum at %1: its flanks end at %2", newtons(to.force_N), newtons(bound)),
-      top ? Message("Keep its force above that") : Message("Keep its force below that"));
+  return shapeRefusal(place,
+                      Message("would no longer be a peak or valley at %1: the curve beside it ends at %2",
+                              newtons(to.force_N), newtons(bound)),
+                      top ? Message("Keep the force of the point above this value")
+                          : Message("Keep the force of the point below this value"));
 }
 
 CurvePoint pointOf(const Knot& k) { return {k.displacement_mm, k.force_N}; }
@@ -153,8 +155,8 @@ Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, Curv
 }
 
 Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
-  return shapeRefusal("", Message("has no tactile point %1, it has %2", index + 1, count),
-                      Message("Choose one of its tactile points"));
+  return shapeRefusal("", Message("has no tactile point %1, only %2", index + 1, count),
+                      Message("Choose one of the tactile points of the curve"));
 }
 
 // ---- sections
@@ -184,9 +186,9 @@ struct Drag {
 std::optional<Failure> dragProblem(const Drag& drag, const Message& place) {
   const auto fault = [&](double limit_mm) {
     return shapeRefusal(place,
-                        Message("cannot move by %1, past the end of the section beside it at %2",
+                        Message("cannot move by %1: the neighbouring section ends at %2",
                                 millimetres(drag.by_mm), millimetres(limit_mm)),
-                        Message("Move it less"));
+                        Message("Move the section by less"));
   };
   if (drag.left_mm < drag.from_mm && !(drag.from_mm + drag.by_mm > drag.left_mm)) return fault(drag.left_mm);
   if (drag.right_mm > drag.to_mm && !(drag.to_mm + drag.by_mm < drag.right_mm)) return fault(drag.right_mm);
@@ -244,21 +246,21 @@ std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, c
   if (!positive(jump.width_mm) || !positive(jump.drop_N))
     return shapeRefusal(Message("new jump"),
                         Message("has width %1 and drop %2", millimetres(jump.width_mm), newtons(jump.drop_N)),
-                        Message("Give both as numbers above 0"));
+                        Message("Give width and drop as numbers above 0"));
   const double end_mm = jump.at_mm + (stroke == Stroke::press ? jump.width_mm : -jump.width_mm);
   const auto inside = [&](double x) { return x > curve.start_mm() && x < curve.end_mm(); };
   if (!inside(jump.at_mm) || !inside(end_mm))
     return shapeRefusal(
         Message("new jump"),
-        Message("from %1 to %2 leaves the curve, %3 to %4", millimetres(jump.at_mm), millimetres(end_mm),
-                millimetres(curve.start_mm()), millimetres(curve.end_mm())),
-        Message("Make it narrower or move it inward"));
+        Message("from %1 to %2 leaves the curve, which runs from %3 to %4", millimetres(jump.at_mm),
+                millimetres(end_mm), millimetres(curve.start_mm()), millimetres(curve.end_mm())),
+        Message("Make the jump narrower, or move it inward"));
   const double towards =
       stroke == Stroke::press ? curve.slopeBefore_N_per_mm(jump.at_mm) : curve.slope_N_per_mm(jump.at_mm);
   if (towards > 0) return {};
-  return shapeRefusal(Message("new jump"),
-                      Message("starts at %1, where the force does not rise", millimetres(jump.at_mm)),
-                      Message("Start it on a rising slope, so that its start is a tactile point"));
+  return shapeRefusal(
+      Message("new jump"), Message("starts at %1, where the force does not rise", millimetres(jump.at_mm)),
+      Message("Start the jump where the force rises, so that its start becomes a tactile point"));
 }
 
 // Returns `slope`, limited to the slopes that a monotone piece may have at its end.
@@ -285,8 +287,8 @@ Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoi
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
   const Message place("turn at %1", millimetres(turn.displacement_mm));
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
-    return shapeRefusal(place, Message("is not an extremum of the curve"),
-                        Message("Choose a valley or a hump"));
+    return shapeRefusal(place, Message("is neither a peak nor a valley of the curve"),
+                        Message("Choose a peak or a valley"));
   const double bottomOut_mm = bottomOutOf(curve, settings).displacement_mm;
   return moveApex(curve, hillAt(curve, turn, bottomOut_mm), to, place);
 }
@@ -309,7 +311,7 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
       valley = p;
   if (!valley)
     return shapeRefusal(place, Message("has no valley after it"),
-                        Message("Add one, or move the end of the stroke above it"));
+                        Message("Add a valley, or raise the end of the stroke above the tactile point"));
   const double bottomOut_mm = bottomOutOf(press, settings).displacement_mm;
   const Hill hill = hillAt(press, *valley, bottomOut_mm);
   return moveApex(press, hill, {valley->displacement_mm, tactile.force_N * (1 - ratio)},
@@ -320,12 +322,12 @@ Result<StrokeCurve> moveSection(const StrokeCurve& curve, Stroke stroke, std::si
                                 double by_N, const SectionSettings& settings) {
   std::vector<Section> sections = sectionsOf(curve, stroke, settings);
   if (index >= sections.size())
-    return shapeRefusal("", Message("has no section %1, it has %2", index + 1, sections.size()),
-                        Message("Choose one of its sections"));
+    return shapeRefusal("", Message("has no section %1, only %2", index + 1, sections.size()),
+                        Message("Choose one of the sections of the curve"));
   if (!std::isfinite(by_mm) || !std::isfinite(by_N))
     return shapeRefusal(Message("section %1", index + 1),
-                        Message("cannot move by a number that is not finite"),
-                        Message("Give finite distances"));
+                        Message("cannot move by this distance: it is not a usable number"),
+                        Message("Give usable numbers as distances"));
   const Section moved = sections[index];
   const auto [from_mm, to_mm] = std::minmax(moved.from_mm, moved.to_mm);
   double left_mm = from_mm, right_mm = to_mm;
@@ -349,7 +351,7 @@ Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jum
   const CurvePoint valley{jump.at_mm + 0.5 * sign * jump.width_mm, tactile_N - sign * jump.drop_N};
   if (sign * (end_N - valley.force_N) <= 0)
     return shapeRefusal(Message("new jump"),
-                        Message("would not come back: the curve has %1 at its end, its valley %2",
+                        Message("cannot return to the curve: the force there is %1, in the valley %2",
                                 newtons(end_N), newtons(valley.force_N)),
                         Message("Make the drop larger or the jump narrower"));
   std::vector<Knot> knots =

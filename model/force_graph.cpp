@@ -33,9 +33,9 @@ std::optional<Failure> releaseProblem(const StrokeCurve& press, const StrokeCurv
   if (release.end_mm() > press.start_mm() && release.start_mm() < press.end_mm()) return {};
   return graphFailure(
       Message("release curve"),
-      Message("covers %1 to %2, beside the press curve's %3 to %4", millimetres(release.start_mm()),
+      Message("covers %1 to %2, but the press curve covers %3 to %4", millimetres(release.start_mm()),
               millimetres(release.end_mm()), millimetres(press.start_mm()), millimetres(press.end_mm())),
-      Message("Bring both strokes to the same displacement axis"));
+      Message("Measure the displacement of both strokes from the same zero"));
 }
 
 }  // namespace

@@ -153,11 +153,11 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint p = points[i];
     if (!std::isfinite(p.displacement_mm) || !std::isfinite(p.force_N))
-      return pointFault(i, Message("is not a finite number"), Message("Remove it"));
+      return pointFault(i, Message("is not a usable number"), Message("Remove the point"));
     if (!clean.empty() && p.displacement_mm < clean.back().displacement_mm)
       return pointFault(i,
-                        Message("at %1 goes back behind %2", millimetres(p.displacement_mm),
-                                millimetres(clean.back().displacement_mm)),
+                        Message("at %1 goes back behind the previous point at %2",
+                                millimetres(p.displacement_mm), millimetres(clean.back().displacement_mm)),
                         Message("Give one stroke in the order travelled, or fit it with detent-import"));
     if (!clean.empty() && clean.back() == p) continue;
     const std::size_t n = clean.size();
@@ -167,7 +167,7 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
       const bool goesOn = (clean[n - 1].force_N > clean[n - 2].force_N) == (p.force_N > clean[n - 1].force_N);
       if (!goesOn)
         return pointFault(
-            i, Message("turns back inside a vertical rise at %1", millimetres(p.displacement_mm)),
+            i, Message("reverses its direction inside a vertical rise at %1", millimetres(p.displacement_mm)),
             Message("Give one force at each displacement, or fit the points with detent-import"));
       clean.pop_back();
     }

@@ -101,7 +101,7 @@ SpeedPlace placeOf(const std::vector<double>& speeds, double speed_mm_per_s) {
 
 Result<Button> atSpeed(const Button& button, double speed_mm_per_s) {
   if (!(speed_mm_per_s > 0) || !std::isfinite(speed_mm_per_s))
-    return wrong("speed", Message("%1 mm/s is not a finite number above 0", speed_mm_per_s),
+    return wrong("speed", Message("%1 mm/s is not a speed above 0", speed_mm_per_s),
                  Message("Give a speed such as 50"));
   const std::vector<double> speeds = speedsOf(button);
   if (speeds.empty()) return button;
@@ -120,7 +120,8 @@ Result<Button> atSpeed(const Button& button, double speed_mm_per_s) {
 
 Result<Button> familyOf(const std::vector<Button>& buttons, const std::vector<double>& speeds_mm_per_s) {
   if (buttons.size() < 2 || buttons.size() != speeds_mm_per_s.size())
-    return wrong("speeds", Message("%1 speeds for %2 buttons", speeds_mm_per_s.size(), buttons.size()),
+    return wrong("speeds",
+                 Message("there are %1 speeds for %2 buttons", speeds_mm_per_s.size(), buttons.size()),
                  Message("Give two to four buttons, and a speed for each"));
   for (const Button& button : buttons)
     if (button.states().size() != buttons.front().states().size())

@@ -75,9 +75,9 @@ Result<StagedFile> StagedFile::beside(const fs::path& target) {
   const fs::path file = resolved(target);
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status))
-    return refused(target, Message("it is a folder"), Message("Name a file inside it"));
+    return refused(target, Message("it is a folder"), Message("Name a file inside this folder"));
   if (fs::exists(status) && !fs::is_regular_file(status))
-    return refused(target, Message("it is not a regular file"), Message("Name a file"));
+    return refused(target, Message("it is not an ordinary file"), Message("Name an ordinary file"));
   const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
   if (!fs::is_directory(folder, error))
     return refused(target, Message("its folder does not exist"), Message("Create the folder first"));

@@ -21,7 +21,7 @@ Failure curveFailure(Message place, Message problem, Remedies remedies) {
           std::move(remedies)};
 }
 
-Message knotPlace(std::size_t index) { return Message("knot %1", index + 1); }
+Message knotPlace(std::size_t index) { return Message("curve point %1", index + 1); }
 
 // One non-vertical piece over u = (x - x0)/h in [0, 1]. Tangents are slopes times h, so nothing is divided by
 // a small h.
@@ -176,19 +176,19 @@ std::optional<Failure> knotProblem(const std::vector<Knot>& knots, std::size_t i
                                                               {"slope after", k.slopeAfter_N_per_mm}}};
   for (const auto& [name, value] : values)
     if (!std::isfinite(value))
-      return curveFailure(knotPlace(i), Message("%1 is %2, not a finite number", name, value),
-                          Message("Give every knot finite numbers"));
+      return curveFailure(knotPlace(i), Message("%1 is %2, not a usable number", name, value),
+                          Message("Give every curve point usable numbers"));
   if (i == 0) return {};
   const double before = knots[i - 1].displacement_mm;
   if (k.displacement_mm < before)
     return curveFailure(knotPlace(i),
-                        Message("displacement %1 lies before the previous knot's %2",
+                        Message("displacement %1 lies before that of the previous point, %2",
                                 millimetres(k.displacement_mm), millimetres(before)),
-                        Message("Order the knots by increasing displacement"));
+                        Message("Sort the points by increasing displacement"));
   if (i >= 2 && k.displacement_mm == knots[i - 2].displacement_mm)
     return curveFailure(
-        knotPlace(i), Message("is the third knot at displacement %1", millimetres(k.displacement_mm)),
-        Message("Keep at most two knots, the ends of one vertical piece, at one displacement"));
+        knotPlace(i), Message("is the third point at displacement %1", millimetres(k.displacement_mm)),
+        Message("At one displacement, keep at most two points: the ends of a vertical piece"));
   return {};
 }
 
@@ -203,8 +203,7 @@ std::optional<Failure> pieceProblem(const std::vector<Knot>& knots, std::size_t 
     if (length > 1) steepest *= length;  // the tangents over the piece must stay finite too
   }
   if (std::isfinite(steepest)) return {};
-  return curveFailure(Message("piece %1", i + 1),
-                      Message("is so steep that its slope leaves the range of a double"),
+  return curveFailure(Message("piece %1", i + 1), Message("is too steep for its slope to be computed"),
                       Message("Make the piece vertical (equal displacements) or less steep"));
 }
 
@@ -268,16 +267,16 @@ std::vector<CurvePoint> turnsInto(const std::vector<MonotoneStretch>& stretches,
 
 Result<StrokeCurve> StrokeCurve::fromKnots(std::vector<Knot> knots) {
   if (knots.size() < 2)
-    return curveFailure("", Message("has %1 knots, but a curve needs at least 2", knots.size()),
-                        Message("Give its start and its end"));
+    return curveFailure("", Message("has %1 points, but a curve needs at least 2", knots.size()),
+                        Message("Give at least the start and the end of the curve"));
   if (knots.size() > maxKnots)
-    return curveFailure("", Message("has %1 knots, more than the %2 allowed", knots.size(), maxKnots),
-                        Message("Thin the points first"));
+    return curveFailure("", Message("has %1 points, more than the %2 allowed", knots.size(), maxKnots),
+                        Message("Remove some of the points first"));
   for (std::size_t i = 0; i < knots.size(); ++i)
     if (auto problem = knotProblem(knots, i)) return *problem;
   if (!(knots.back().displacement_mm > knots.front().displacement_mm))
     return curveFailure(
-        "", Message("has zero travel: all knots lie at %1", millimetres(knots.front().displacement_mm)),
+        "", Message("has zero travel: all points lie at %1", millimetres(knots.front().displacement_mm)),
         Message("Give the curve two different displacements"));
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
     if (auto problem = pieceProblem(knots, i)) return *problem;

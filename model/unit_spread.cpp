@@ -161,13 +161,14 @@ Result<UnitSpread> spreadOf(const std::vector<Button>& units, const SectionSetti
     return Failure{FailureCode::wrongUsage, "units", "", std::move(problem), advice};
   };
   if (units.size() < 2)
-    return refuse(Message("fewer than two"), Message("Pass every unit that was measured"));
+    return refuse(Message("there are fewer than two"), Message("Give every unit that was measured"));
   auto blended = blend(units, std::vector<double>(units.size(), 1.0), settings);
   if (!blended) return blended.failure();
   const Curves presses = curvesOf(units, 0, Stroke::press);
   const Range_mm range = commonRange(presses);
   if (!(range.from < range.to))
-    return refuse(Message("no displacement is in the travel of all"), Message("Pass units of one button"));
+    return refuse(Message("no displacement lies within the travel of all units"),
+                  Message("Give units of the same button"));
   auto mean = thinned(*blended);
   if (!mean) return mean.failure();
   UnitSpread spread{std::move(*mean), {}, distancesOf(presses, settings), {}};

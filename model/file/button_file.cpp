@@ -49,7 +49,7 @@ class Reader {
     for (const auto& [key, value] : object.items()) {
       if (key.rfind("x-", 0) == 0) continue;
       if (std::find(known.begin(), known.end(), key) == known.end())
-        refuse(join(place, key.substr(0, 60)), Message("is not a key of this format"),
+        refuse(join(place, key.substr(0, 60)), Message("is not a field of this format"),
                "Remove it, correct its spelling, or begin its name with \"x-\"");
     }
   }
@@ -57,7 +57,8 @@ class Reader {
   const json& required(const json& object, const std::string& place, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end())
-      refuse(join(place, key), Message("is missing"), Message("Add it, see docs/reference/file-format.md"));
+      refuse(join(place, key), Message("is missing"),
+             Message("Add the field; see docs/reference/file-format.md"));
     return *found;
   }
 
@@ -197,10 +198,9 @@ json parsedJson(std::string_view text, const Reader& reader) {
     return document;
   } catch (const json::parse_error& error) {
     reader.refuse(placeOfByte(text, error.byte), Message("is not valid JSON: %1", plainReason(error.what())),
-                  Message("Correct it there, or export the button again"));
+                  Message("Correct the file at this place, or export the button again"));
   } catch (const json::out_of_range& error) {
-    reader.refuse("", "holds a number no double can hold: " + plainReason(error.what()),
-                  "Correct the number");
+    reader.refuse("", "holds a number that is too large: " + plainReason(error.what()), "Correct the number");
   }
 }
 
@@ -293,7 +293,7 @@ std::vector<RecordedWarning> warningsFrom(const Reader& in, const json& value, c
   const auto texts = in.texts(value, place, "warnings"), codes = in.texts(value, place, "warningCodes");
   if (!codes.empty() && codes.size() != texts.size())
     in.refuse(Reader::join(place, "warningCodes"),
-              Message("has %1 entries for %2 warnings", codes.size(), texts.size()),
+              Message("has %1 codes for %2 warnings", codes.size(), texts.size()),
               "Give one code for each warning, or none at all");
   std::vector<RecordedWarning> warnings;
   for (std::size_t i = 0; i < texts.size(); ++i)
@@ -338,7 +338,8 @@ std::optional<PageCutout> cutoutFrom(const Reader& in, const json& document) {
   if (!png || !png->starts_with("\x89PNG\r\n\x1a\n"))
     in.refuse("cutout.png", "is no PNG picture written in base64", without);
   if (png->size() > largestCutout_bytes)
-    in.refuse("cutout.png", Message("has %1 bytes, more than %2", png->size(), largestCutout_bytes), without);
+    in.refuse("cutout.png", Message("has %1 bytes; the limit is %2", png->size(), largestCutout_bytes),
+              without);
   PageCutout cutout{*png, {}};
   const json& numbers = in.array(in.required(value, "cutout", "pixelToAxes"), "cutout.pixelToAxes");
   if (numbers.size() != cutout.pixelToAxes.size())

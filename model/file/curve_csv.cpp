@@ -51,10 +51,10 @@ std::optional<Failure> appendRow(GraphPolylines& lines, const NumberTable& row, 
     return refuse("names the stroke " + quotedBegin(stroke), "Write press or release");
   const auto x = row.finite(1), force = row.finite(2);
   if (!x)
-    return refuse("displacement " + quotedBegin(row.fields()[1]) + " is not a finite number",
+    return refuse("displacement " + quotedBegin(row.fields()[1]) + " is not a usable number",
                   "Correct or remove it");
   if (!force)
-    return refuse("force " + quotedBegin(row.fields()[2]) + " is not a finite number",
+    return refuse("force " + quotedBegin(row.fields()[2]) + " is not a usable number",
                   "Correct or remove it");
   (stroke == "press" ? lines.press : lines.release).push_back({*x, *force});
   return {};

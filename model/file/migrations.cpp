@@ -32,7 +32,7 @@ Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migra
   const long long version = tooLarge ? 1000000 : found->get<long long>();
   if (version > newest)
     return refuse(
-        Message("is %1, newer than this program reads (%2)", jsonText(*found), std::to_string(newest)),
+        Message("is %1; this program reads versions up to %2", jsonText(*found), std::to_string(newest)),
         Message("Update Detent to open this file"));
   if (version < 1)
     return refuse("is " + jsonText(*found) + ", but versions count from 1", "Correct the number");

@@ -27,7 +27,8 @@ Result<std::string> readTextFile(const std::string& path) {
                       "Give a button file or a CSV of one force graph");
   errno = 0;
   const CFile file(std::fopen(path.c_str(), "rb"));
-  if (!file) return unreadable(path, "cannot be opened: " + systemReason(), "Check its permissions");
+  if (!file)
+    return unreadable(path, "cannot be opened: " + systemReason(), "Check the permissions of the file");
   std::string text;
   char buffer[65536];
   for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {

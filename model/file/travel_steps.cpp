@@ -52,7 +52,7 @@ Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& grap
 
 Result<std::vector<double>> travelsWithin(std::vector<double> travels_mm, const ForceGraph& graph) {
   const double start_mm = graph.press().start_mm(), end_mm = graph.press().end_mm();
-  if (travels_mm.empty()) return refusal(Message("no travel is given"), Message("Give at least one"));
+  if (travels_mm.empty()) return refusal(Message("no travel is given"), Message("Give at least one travel"));
   const auto length = [](double at_mm) { return MessageValue(at_mm, Measure::displacement_mm); };
   for (const double at_mm : travels_mm)
     if (!(at_mm >= start_mm && at_mm <= end_mm + endRounding_mm))

@@ -324,11 +324,11 @@ Failure refusal(Message problem, Remedies remedies) {
 Message lossOf(ShapeRule rule) {
   switch (rule) {
     case ShapeRule::width:
-      return Message("a stretch of the curve would have no width left");
+      return Message("a part of the curve would have no width left");
     case ShapeRule::direction:
-      return Message("a rise of the force would become a fall, or a fall a rise");
+      return Message("a rising part of the curve would fall, or a falling part would rise");
     case ShapeRule::noPull:
-      return Message("the button would pull");
+      return Message("the force would fall below 0, and the button would pull");
     case ShapeRule::mainEvent:
       return Message("another tactile point would become the main one");
     case ShapeRule::onStroke:
@@ -336,9 +336,9 @@ Message lossOf(ShapeRule rule) {
     case ShapeRule::inOrder:
       return Message("the reset point would lie deeper than the operating point");
     case ShapeRule::releaseBelow:
-      return Message("the release would lie above the press");
+      return Message("the release force would exceed the press force");
     case ShapeRule::tactile:
-      return Message("a tactile point would be too weak to be one");
+      return Message("a tactile point would become too weak to count");
     case ShapeRule::bottomOut:
       return Message("the bottom-out would begin elsewhere");
   }
@@ -358,13 +358,13 @@ Message lossOf(Rule broken) {
     case Rule::statesDoNotMeet:
       return Message("the release would not end where the next state starts");
     case Rule::hiddenTactilePoint:
-      return Message("a tactile point would lie inside a jump, and never be felt");
+      return Message("a tactile point would lie inside a jump, where no finger feels it");
     case Rule::fallsAtStart:
       return Message("the press would begin with a falling force");
     case Rule::dampingOutsideTravel:
-      return Message("damping would lie outside the travel");
+      return Message("a damping point would lie outside the travel");
     case Rule::speedsGiveEnergy:
-      return Message("a release would lie above the press of another speed");
+      return Message("the release force at one speed would exceed the press force at another");
     case Rule::noRelease:
     case Rule::manyKnots:
     case Rule::lowConfidence:
@@ -390,21 +390,21 @@ TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
   const std::vector<Message> rest(terms.begin() + 2, terms.end());
   Message problem = rest.empty()
                         ? Message("%1 and %2 contradict each other", terms[0], terms[1])
-                        : Message("%1 and %2 contradict each other as long as this is kept as well: %3",
-                                  terms[0], terms[1], rest);
-  const Message remedy = rest.empty() ? Message("Leave one of the two free, or give it another value")
-                                      : Message("Leave one of them free, or give it another value");
+                        : Message("these contradict each other: %1; %2; %3", terms[0], terms[1], rest);
+  const Message remedy = rest.empty() ? Message("Remove or unlock one of the two, or give it another value")
+                                      : Message("Remove or unlock one of them, or give it another value");
   return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
 }
 
 /// Conflict for targets that could not be decided within the limit.
 TargetConflict undecided(const std::vector<FigureTarget>& targets) {
-  return {figuresOf(targets),
-          {},
-          refusal(Message("no curve was found that has all of this, nor which of it contradicts: %1",
-                          termsOf(targets)),
-                  Message("Leave some of it free, or give values nearer to the present ones")),
-          true};
+  return {
+      figuresOf(targets),
+      {},
+      refusal(Message("no curve was found that meets all these targets, and the conflict is not known: %1",
+                      termsOf(targets)),
+              Message("Remove or unlock some of these, or give values nearer to the current ones")),
+      true};
 }
 
 Message valueWithUnit(double value, FigureUnit unit) {
@@ -469,11 +469,11 @@ class Bending {
     const Message term = Message::of(termOf(target.figure), {});
     const FigureUnit unit = unitOf(target.figure);
     const double beyond = reachable + 2 * leastOfWay * (target.value - now);
-    Message problem = Message("%1 cannot be %2: beyond %3 %4", term, valueWithUnit(target.value, unit),
+    Message problem = Message("%1 cannot be %2; beyond %3, %4", term, valueWithUnit(target.value, unit),
                               valueWithUnit(reachable, unit), lossAt({target.figure, beyond}));
     return {{target.figure},
             reachable,
-            refusal(std::move(problem), Message("Give a value nearer to the present one"))};
+            refusal(std::move(problem), Message("Give a value nearer to the current one"))};
   }
 
  private:
@@ -526,7 +526,7 @@ class Bending {
         });
     if (broken) return lossOf(*broken);
     if (obstacle) return lossOf(*obstacle);
-    return Message("more than one property of its shape would be lost");
+    return Message("the curve would lose more than one of its properties");
   }
 
   const Button& button_;
@@ -564,16 +564,15 @@ TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::
       return {{},
               TargetConflict{{target.figure},
                              {},
-                             refusal(Message("the button has no such figure: %1",
+                             refusal(Message("the button has no key figure of this kind: %1",
                                              Message::of(termOf(target.figure), {})),
-                                     Message("Add what it measures to the curve first"))}};
+                                     Message("First add to the curve what the key figure measures"))}};
     if (!std::isfinite(target.value))
       return {{},
-              TargetConflict{
-                  {target.figure},
-                  {},
-                  refusal(Message("%1 cannot be without bounds", Message::of(termOf(target.figure), {})),
-                          Message("Give a number"))}};
+              TargetConflict{{target.figure},
+                             {},
+                             refusal(Message("%1 cannot be infinite", Message::of(termOf(target.figure), {})),
+                                     Message("Give a number"))}};
   }
   if (allMet(now, wanted)) return {button, {}};
   Effort effort(patience);

@@ -52,9 +52,9 @@ TEST_CASE("two to four speeds, each stated once and usable, the others rising") 
   };
   refused({20}, "states 20 mm/s, but has no graph at another speed");
   refused({20, 30, 40, 50, 60}, "has graphs at 5 speeds. Keep two to four");
-  refused({20, 20}, "states 20 mm/s twice");
-  refused({20, 50, 40}, "speed 40 mm/s does not rise above 50 mm/s");
-  refused({20, 50, 50}, "does not rise");
+  refused({20, 20}, "states the speed 20 mm/s twice");
+  refused({20, 50, 40}, "speed 40 mm/s is not above the previous speed 50 mm/s");
+  refused({20, 50, 50}, "is not above");
   for (const double speed :
        {0.0, -3.0, 1e6, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     refused({speed, 50}, "is not a usable speed");
@@ -62,7 +62,8 @@ TEST_CASE("two to four speeds, each stated once and usable, the others rising") 
   }
   ButtonState nameless = stateWith({20, 50});
   nameless.speed_mm_per_s.reset();
-  CHECK_THAT(buttonWith(nameless).failure().sentence(), Catch::Contains("does not state its own"));
+  CHECK_THAT(buttonWith(nameless).failure().sentence(),
+             Catch::Contains("states no speed for its main graph"));
 }
 
 TEST_CASE("the graphs of one button have the same strokes, travel and points") {
@@ -74,10 +75,11 @@ TEST_CASE("the graphs of one button have the same strokes, travel and points") {
     CHECK_THAT(button.failure().sentence(), Catch::Contains(part));
   };
   refused(*removeRelease(graphWith(0.6, 0.3)),
-          "state 1, 50 mm/s: lacks a release, which that at 20 mm/s has");
-  refused(*scaleTravel(graphWith(0.6, 0.3), 1.06),
-          "the press has an end at 4.24 mm, that at 20 mm/s at 4 mm: more than 0.2 mm apart");
-  refused(graphOf({{0, 0}, {4, 1}}, {{0.3, 0}, {4, 1}}), "the release has an end at 0.3 mm");
+          "state 1, 50 mm/s: has no release, but the graph at 20 mm/s has one");
+  refused(
+      *scaleTravel(graphWith(0.6, 0.3), 1.06),
+      "one end of the press lies at 4.24 mm, but at 4 mm in the graph of 20 mm/s: more than 0.2 mm apart");
+  refused(graphOf({{0, 0}, {4, 1}}, {{0.3, 0}, {4, 1}}), "one end of the release lies at 0.3 mm");
   ButtonState near = stateWith({20, 50});
   near.otherSpeeds[0].graph = *scaleTravel(graphWith(0.6, 0.3), 1.04);
   CHECK(buttonWith(near).ok());

@@ -47,7 +47,7 @@ TEST_CASE("where nothing can be written, nothing is left and the old file stands
   const TestFolder folder;
   requireFailure(writeTextFileAtomically(folder.path().string(), "x"), 2, "it is a folder");
   requireFailure(writeTextFileAtomically(folder / "no/such/folder/out", "x"), 2, "its folder does not exist");
-  requireFailure(writeTextFileAtomically("/dev/null", "x"), 2, "it is not a regular file");
+  requireFailure(writeTextFileAtomically("/dev/null", "x"), 2, "it is not an ordinary file");
   requireFailure(writeTextFileAtomically(folder / std::string(300, 'n'), "x"), 1, "cannot be written");
   CHECK(folder.entries() == 0);
 }
