@@ -409,7 +409,8 @@ class Doubts {
     std::string labels;
     for (const std::string& each : axis.contradicting) labels += (labels.empty() ? "" : ", ") + each;
     add(DoubtCode::givenAgainstLabels, inPart, {name, labels},
-        {{RemedyKind::advice, Message("Correct the given values, or give none so that the numbers count")}});
+        {{RemedyKind::advice,
+          Message("Correct the given values, or remove them so that the printed numbers are used")}});
   }
 
   void sizes() {
@@ -578,7 +579,7 @@ class Doubts {
   void byPath(const std::vector<CurveTrace>& traces, const Remedies& byColour) {
     const std::size_t press = traceOf(findings_.strokes.value.press) == &traces[1] ? 1 : 0;
     add(DoubtCode::assumed, unconfirmed,
-        {Message("\"%1\" and \"%2\" are taken for press and release, as they end in one point",
+        {Message("\"%1\" and \"%2\" are taken as press and release, because they end at the same point",
                  traces[press].label, traces[1 - press].label)},
         byColour);
   }
@@ -689,7 +690,7 @@ class Doubts {
                      (strokes.release && touchesPictureEdge(strokes.release->points_px, picture));
     if (cut && hints_.frame.empty())
       add(DoubtCode::cutAtPictureEdge, unconfirmed, {},
-          {{RemedyKind::advice, Message("Use the whole picture")},
+          {{RemedyKind::advice, Message("Import the whole picture")},
            {RemedyKind::giveFrame, "if the curve ends there"}});
     edges(strokes.press);
     if (strokes.release) edges(*strokes.release);
@@ -712,7 +713,7 @@ class Doubts {
   /// title names, if any.
   Message measureOfRightScale() const {
     const LocatedGraph& graph = findings_.graph;
-    if (graph.axes.rightScale == RightScale::otherForces) return Message("measures forces too");
+    if (graph.axes.rightScale == RightScale::otherForces) return Message("also measures forces");
     const Box frame = graph.frame.value.box();
     for (const SeenText& text : graph.axes.texts) {
       const Point middle = text.box.middle();
@@ -968,7 +969,7 @@ class Doubts {
 }  // namespace
 
 Remedies graphWithOneScale() {
-  return Message("Import a graph on which one scale of force holds for press and release");
+  return Message("Import a graph on which press and release have the same force scale");
 }
 
 double worthOf(PageClass pageClass) {
@@ -988,7 +989,7 @@ std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStr
                        const Remedies& helps) {
     doubts.push_back({{code, std::move(values), leftToTry(helps, hints)}, confidence});
   };
-  const Remedies takeOut(Message("Remove the values that the sensor did not measure from the file"));
+  const Remedies takeOut(Message("Remove from the file all values that the sensor did not measure"));
   const Extent travel = travelOf(strokes.press), force = forceOf(strokes.press);
   if (implausibleTravel(travel.span()) && !hints.axes.xUnit)
     add(DoubtCode::implausibleTravel, unconfirmed, {{travel.span(), Measure::displacement_mm}},

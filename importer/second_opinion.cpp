@@ -44,8 +44,8 @@ double travel_mm(const ImportReport& report) { return report.button.states().fro
 /// Short description that distinguishes one reading from another.
 Message inShort(const ImportReport& report) {
   const MessageValue travel = millimetres(travel_mm(report)), force = newtons(highest_N(report));
-  if (!report.release) return Message("%1 and up to %2, without a release", travel, force);
-  return Message("%1 and up to %2", travel, force);
+  if (!report.release) return Message("%1 with up to %2, without a release", travel, force);
+  return Message("%1 with up to %2", travel, force);
 }
 
 Doubt readingsDiffer(const ImportReport& first, const ImportReport& second) {

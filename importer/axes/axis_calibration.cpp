@@ -53,7 +53,7 @@ Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind 
   if (quantity == logarithmicScale)
     return {DoubtCode::otherQuantity, {axis, Message("is logarithmic")}, evenAxes};
   if (quantity == categoriesScale)
-    return {DoubtCode::otherQuantity, {axis, Message("has categories in place of a scale")}, evenAxes};
+    return {DoubtCode::otherQuantity, {axis, Message("has categories instead of a scale")}, evenAxes};
   const bool isTravel = unit == RemedyKind::giveXUnit;
   return {DoubtCode::otherQuantity,
           {axis, Message("measures \"%1\"", quantity)},

@@ -56,7 +56,7 @@ Failure unread(const std::optional<AxisLabels>& labels, Axis axis, const std::ve
     return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
                      placeOf(axis));
   return {FailureCode::noForceGraph, "plot frame", placeOf(axis),
-          Message("there is no row of numbers along it"), rangeOf(axis)};
+          Message("no row of numbers was found along the axis"), rangeOf(axis)};
 }
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }
@@ -651,7 +651,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const EndValues y = valuesAtEnds(yLabels, corners[0].y, corners[3].y, yGiven.max, yGiven.min);
   if (isEmptyRange(x) || isEmptyRange(y))
     return Failure{FailureCode::wrongUsage, "plot frame", placeOf(isEmptyRange(x) ? Axis::x : Axis::y),
-                   Message("its range is empty"), Message("Give two different values")};
+                   Message("both ends of the axis have the same value"),
+                   Message("Give two different values")};
 
   AxesFound found;
   auto& cal = found.calibration.value;

@@ -221,11 +221,12 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Strok
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!std::isfinite(given[i].displacement_mm) || !std::isfinite(given[i].force_N))
       return unreadable(stroke, "point " + std::to_string(i + 1),
-                        Message("displacement or force is not a finite number"),
-                        Message("Leave such points out before fitting"));
+                        Message("displacement or force is not a usable number"),
+                        Message("Leave out such points before fitting"));
   const std::vector<CurvePoint> points = withoutSlips(given, options.noise);
   if (points.size() < 2)
-    return unreadable(stroke, "", points.empty() ? Message("it has no point") : Message("it has one point"),
+    return unreadable(stroke, "",
+                      points.empty() ? Message("there are no points") : Message("there is only one point"),
                       Message("Give at least two points with different displacements"));
   const Extent extent = extentOf(points);
   const double travel = extent.travel(), forceSpan = extent.forceSpan();
@@ -233,7 +234,7 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Strok
     return unreadable(stroke, "", Message("all points have the same displacement, so there is no travel"),
                       Message("Check the displacement axis or column"));
   if (!std::isfinite(travel) || !std::isfinite(forceSpan))
-    return unreadable(stroke, "", Message("the points span more than a number can hold"),
+    return unreadable(stroke, "", Message("the points are too far apart to compute with"),
                       Message("Check the units of the axes"));
 
   StrokeSamples samples;
@@ -252,7 +253,7 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Strok
   const double spanU = travel / samples.mmPerU, spanV = forceSpan / samples.newtonsPerV;
   const double advance = samples.points.back().u - samples.points.front().u;
   if (!(advance > 0) || greatestSetback(samples.points) > std::max(0.25 * spanU, 8.0))
-    return unreadable(stroke, "", Message("its points run to and fro in displacement"),
+    return unreadable(stroke, "", Message("the displacement of the points goes forth and back"),
                       Message("Split press and release before fitting, each in the order travelled"));
   const std::size_t maxCount = static_cast<std::size_t>(options.maxPoints);
   samples.points = withoutRepeats(samples.points);

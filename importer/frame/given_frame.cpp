@@ -9,7 +9,7 @@ namespace detent::importer {
 namespace {
 
 Failure refused(const Page& page, Message problem) {
-  return {FailureCode::wrongUsage, page.source, "given plot frame", std::move(problem),
+  return {FailureCode::wrongUsage, page.source, "plot frame entered by hand", std::move(problem),
           Message("Give two opposite corners or four (top left, top right, bottom right, bottom left) inside "
                   "the page")};
 }
@@ -33,7 +33,7 @@ int quarterTurnsOf(const std::vector<Point>& p) {
 
 Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, const Page& page) {
   if (given.size() != 2 && given.size() != 4)
-    return refused(page, Message("%1 corners make no plot frame", given.size()));
+    return refused(page, Message("a plot frame needs 2 or 4 corners, not %1", given.size()));
   const double margin = page.unit == PageUnit::pixel ? 0.5 : 0;
   for (const auto& p : given)
     if (!(p.x >= -margin && p.y >= -margin && p.x <= page.width - margin && p.y <= page.height - margin))

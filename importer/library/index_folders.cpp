@@ -169,8 +169,9 @@ FileRead readingOf(const Candidate& candidate, const FileStamp& stamp, const Kno
   read.file = {candidate.path.string(), stamp, {}, version(), {}, {}};
   const std::string name = candidate.path.filename().string();
   if (stamp.bytes > mostBytes) {
-    read.file.refused = refusalOf(read.file.path, {FailureCode::unreadableInput, name, "",
-                                                   "it is larger than 32 MB", "Export one switch to a file"});
+    read.file.refused =
+        refusalOf(read.file.path, {FailureCode::unreadableInput, name, "", "the file is larger than 32 MB",
+                                   "Export one switch to a file"});
     return read;
   }
   const auto hash = contentHash(candidate.path.string(), candidate.release);

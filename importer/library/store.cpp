@@ -192,7 +192,7 @@ Failure failureOf(const DatabaseFault& fault, const std::string& path) {
               "Wait until that is done, and try again"};
     case SQLITE_FULL:
     case SQLITE_IOERR:
-      return {FailureCode::internalFault, path, "", Message("the disk refused: %1", fault.words),
+      return {FailureCode::internalFault, path, "", Message("the disk is full or failed: %1", fault.words),
               "Make room or mend the disk, and index again; what was in the library is as it was"};
     case SQLITE_READONLY:
     case SQLITE_PERM:
@@ -200,7 +200,7 @@ Failure failureOf(const DatabaseFault& fault, const std::string& path) {
       return {FailureCode::wrongUsage, path, "", Message("it cannot be opened: %1", fault.words),
               "Pass a --db in a folder that exists and may be written to"};
     default:
-      return {FailureCode::unreadableInput, path, "", Message("it is no whole library: %1", fault.words),
+      return {FailureCode::unreadableInput, path, "", Message("the library is not complete: %1", fault.words),
               "Run detent-import library index FOLDER... --db on it, which makes it anew"};
   }
 }
@@ -253,8 +253,8 @@ Message prepareTables(Database& database) {
   makeTables(database);
   change.commit();
   if (empty) return {};
-  return Message("it was of version %1, this program's is %2: made anew from the folders given", version,
-                 libraryVersion);
+  return Message("the library had version %1, this program uses %2: it was built anew from the given folders",
+                 version, libraryVersion);
 }
 
 Result<Message> movedAside(const std::string& path, const std::string& why) {
@@ -263,11 +263,13 @@ Result<Message> movedAside(const std::string& path, const std::string& why) {
   fs::rename(path, aside, error);
   if (error)
     return Failure{FailureCode::wrongUsage, path, "",
-                   Message("it is damaged and cannot be moved aside: %1", error.message()),
+                   Message("the library is damaged and could not be renamed: %1", error.message()),
                    "Pass another --db"};
   fs::remove(path + "-journal", error);  // the journal of a database that no longer exists
-  return Message("it was damaged (%1): made anew from the folders given, the damaged one is kept as %2", why,
-                 aside.filename().string());
+  return Message(
+      "the library was damaged (%1) and was built anew from the given folders; the damaged file is kept as "
+      "%2",
+      why, aside.filename().string());
 }
 
 bool isNamedDatabase(const std::string& path) {
@@ -348,7 +350,8 @@ Result<LibraryStore> LibraryStore::openToRead(const std::string& path) {
     const std::int64_t version = impl->database.number("PRAGMA user_version");
     if (version != libraryVersion)
       return Failure{FailureCode::unreadableInput, path, "",
-                     Message("it is of version %1, this program's is %2", version, libraryVersion), advice};
+                     Message("the library has version %1, this program uses %2", version, libraryVersion),
+                     advice};
     impl->database.run("BEGIN");  // all reads see the state at one moment
     return LibraryStore(std::move(impl));
   } catch (const DatabaseFault& fault) {

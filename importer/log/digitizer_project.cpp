@@ -230,24 +230,24 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
   const int major =
       version && !version->empty() && (*version)[0].is_number_integer() ? (*version)[0].get<int>() : 0;
   if (major != 3 && major != 4)
-    return unreadableFile(subject,
-                          Message("it is a WebPlotDigitizer project of a version other than 3 and 4"),
-                          Message("Export the data sets as CSV"));
+    return unreadableFile(
+        subject, Message("it is a WebPlotDigitizer project of an unknown version; only 3 and 4 can be read"),
+        Message("Export the data sets as CSV"));
   const std::vector<TracedSet> sets = setsOf(document);
   if (sets.empty())
-    return noForceLog(subject, Message("no data set on xy axes holds two points"),
+    return noForceLog(subject, Message("no data set on xy axes has two points or more"),
                       Message("Trace each stroke as a data set, then save the project"));
   for (const TracedSet& set : sets)
     if (holdsSortedLoop(set.points))
       return Failure{FailureCode::notCertain, subject, Message("data set \"%1\"", set.name),
-                     Message("its points jump between two curves"),
-                     Message("Give press and release a data set each, named so")};
+                     Message("the points jump between two curves"),
+                     Message("Use one data set for the press and one for the release, and name them so")};
   if (sets.size() == 2 && sets[0].axes == sets[1].axes && std::ranges::all_of(sets, saysNoStroke))
     return pairOfUnnamed(sets);
   std::vector<RecordedSwitch> switches = byName(sets);
   if (switches.empty())
-    return noForceLog(subject, Message("its data sets are all named as releases"),
-                      Message("Name the set of the way down \"press\""));
+    return noForceLog(subject, Message("all data sets are named as releases"),
+                      Message("Name the data set of the press \"press\""));
   return switches;
 }
 
@@ -259,7 +259,7 @@ Result<std::string> projectInArchive(std::string_view bytes, const std::string& 
   for (std::size_t at = 0; at + tarBlock_bytes <= bytes.size();) {
     const std::string_view header = bytes.substr(at, tarBlock_bytes);
     if (header[0] == '\0') break;
-    if (header.substr(257, 5) != "ustar") return unreadable(Message("it is no TAR archive"));
+    if (header.substr(257, 5) != "ustar") return unreadable(Message("the file is not a TAR archive"));
     const std::optional<std::size_t> size = octalIn(header.substr(124, 12));
     if (!size || *size > bytes.size() - at - tarBlock_bytes)
       return unreadable(Message("the archive is damaged"));

@@ -165,7 +165,7 @@ class LogReader {
     };
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-      return unreadable(Message("it is missing"), Message("Check the path and its rights"));
+      return unreadable(Message("the file does not exist"), Message("Check the path and its permissions"));
     if (std::filesystem::is_directory(path, error))
       return unreadable(Message("it is a folder"), Message("Give a file"));
     std::ifstream file(path, std::ios::binary);
@@ -177,13 +177,14 @@ class LogReader {
       file.read(bytes.data() + size, piece_bytes);
       bytes.resize(size + static_cast<std::size_t>(file.gcount()));
       if (bytes.size() > kMostText_bytes)
-        return unreadable(Message("it is larger than 256 MB"),
+        return unreadable(Message("the file is larger than 256 MB"),
                           Message("Export one press with its release, or fewer rows"));
       if (progress_.isCancelled()) return Failure::cancelled(fileNameOf(path));
     }
     if (file.bad() || (bytes.empty() && !file.eof()))
-      return unreadable(Message("it cannot be read"), Message("Check the path and its rights"));
-    if (bytes.empty()) return unreadable(Message("it is empty"), Message("Export the measurement again"));
+      return unreadable(Message("the file cannot be read"), Message("Check the path and its permissions"));
+    if (bytes.empty())
+      return unreadable(Message("the file is empty"), Message("Export the measurement again"));
     return bytes;
   }
 
@@ -197,11 +198,12 @@ class LogReader {
     const FileContent content = contentOf(*bytes);
     if (content != FileContent::text && content != FileContent::oldSpreadsheet &&
         bytes->size() > kMostArchive_bytes)
-      return unreadable(Message("it is larger than 32 MB"), Message("Export fewer switches into one file"));
+      return unreadable(Message("the file is larger than 32 MB"),
+                        Message("Export fewer switches into one file"));
     switch (content) {
       case FileContent::oldSpreadsheet:
-        return unreadable(Message("it is a spreadsheet of Excel 97 to 2003"),
-                          Message("Save it as xlsx, ODS or CSV"));
+        return unreadable(Message("the file is a spreadsheet of Excel 97 to 2003"),
+                          Message("Save the spreadsheet as xlsx, ODS or CSV"));
       case FileContent::tar: {
         const auto switches = switchesOfArchive(*bytes, subject);
         if (!switches) return switches.failure();
@@ -214,8 +216,8 @@ class LogReader {
         if (!found && found.failure().code == FailureCode::noForceGraph)
           if (const std::size_t formulas = uncalculatedFormulas(*bytes); formulas > 0)
             return unreadable(
-                Message("its %1 formulas have no results: no program has calculated them", formulas),
-                Message("Open it in a spreadsheet program and save it there"));
+                Message("%1 formulas have no results: no program has calculated them", formulas),
+                Message("Open the file in a spreadsheet program and save it there"));
         return found;
       }
       default:
@@ -223,14 +225,14 @@ class LogReader {
     }
     const std::string ending = lowered(std::filesystem::path(path).extension().string());
     if (ending == ".ods" || ending == ".xlsx")
-      return unreadable(Message("it is no spreadsheet, or a damaged one"),
+      return unreadable(Message("the file is not a spreadsheet, or is damaged"),
                         Message("Save the spreadsheet again"));
     if (ending == ".tar")
-      return unreadable(Message("it is no TAR archive"),
+      return unreadable(Message("the file is not a TAR archive"),
                         Message("Save the project once more in WebPlotDigitizer"));
     auto text = utf8From(std::move(*bytes));
     if (!text)
-      return unreadable(Message("its content is no text"),
+      return unreadable(Message("the content is not text"),
                         Message("Export the measurement as CSV, xlsx or ODS"));
     const std::string_view start = trimmed(std::string_view(*text).substr(0, 4096));
     if (ending == ".json" || start.starts_with('{') || start.starts_with("[{")) {
@@ -430,11 +432,10 @@ class LogReader {
   bool hasColumnHints() const { return hints_.columns != ColumnHints{}; }
 
   Failure strokeless(const char* stroke, std::size_t samples) const {
-    return failure(
-        FailureCode::noForceGraph, Message(std::string(stroke)),
-        samples == 0 ? Message("it has no sample") : Message("it has one sample"),
-        Message(
-            "A stroke needs at least two samples at different displacements; check the rows and the split"));
+    return failure(FailureCode::noForceGraph, Message(std::string(stroke)),
+                   samples == 0 ? Message("there are no samples") : Message("there is only one sample"),
+                   Message("A stroke needs at least two samples at different displacements. Check the rows, "
+                           "and which rows are press and release"));
   }
 
   static std::string titlesOf(const DataTable& data) {
@@ -452,7 +453,7 @@ class LogReader {
     FileRecords found;
     found.data = dataIn(table);
     if (!found.data)
-      return noForceLog(subject, Message("it holds no two columns of numbers"),
+      return noForceLog(subject, Message("there are no two columns of numbers"),
                         Message("Give a table with a column of displacement and one of force, for example "
                                 "\"displacement_mm,force_N\""));
     found.table = std::move(table);
@@ -461,8 +462,8 @@ class LogReader {
     if (data.rows() < 2) return strokeless("press stroke", data.rows());
     ColumnReading read = interpretColumns(*found.table, data, hints_, eitherStroke);
     if (read.badColumn)
-      return refuse(FailureCode::wrongUsage, Message("no column is \"%1\"", *read.badColumn),
-                    Message("Its columns are %1", titlesOf(data)));
+      return refuse(FailureCode::wrongUsage, Message("no column is named \"%1\"", *read.badColumn),
+                    Message("The columns are %1", titlesOf(data)));
     if (read.best.empty()) return lacking(read.lack, data, subject);
     if (!read.unknownUnit.empty() &&
         !(read.unknownUnitOfForce ? hints_.yUnit.has_value() : hints_.xUnit.has_value()) &&
@@ -476,13 +477,13 @@ class LogReader {
         reading_.question->choices.push_back({unit, std::string(force ? "--y-unit " : "--x-unit ") + unit});
       return refuse(
           FailureCode::notCertain,
-          Message("its unit of %1, \"%2\", is not known", force ? "force" : "displacement", read.unknownUnit),
+          Message("the unit of %1, \"%2\", is not known", force ? "force" : "displacement", read.unknownUnit),
           force ? Remedies(RemedyKind::giveYUnit) : Remedies(RemedyKind::giveXUnit));
     }
     if (saysNothing(read.best.front(), data)) return lacking(TableLack::columns, data, subject);
     if (auto unknown = unknownName(read.best.front(), data))
       return refuse(FailureCode::notCertain, std::move(*unknown),
-                    Message("If so, pass %1", reading_.question->choices.front().option));
+                    Message("If it is, pass %1", reading_.question->choices.front().option));
     found.best = std::move(read.best);
     found.records = found.best.front().records;
     found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
@@ -513,12 +514,13 @@ class LogReader {
     };
     if (askX && askF) {
       question(x.label() + " is the displacement, " + f.label() + " the force", xOption + " " + fOption);
-      return Message("whether column %1 is a displacement and %2 a force is not known", x.label(), f.label());
+      return Message("it is not known whether column %1 is displacement and column %2 is force", x.label(),
+                     f.label());
     }
     const DataColumn& doubtful = askX ? x : f;
     question(doubtful.label() + (askX ? " is the displacement" : " is the force"), askX ? xOption : fOption);
-    return askX ? Message("whether column %1 is a displacement is not known", doubtful.label())
-                : Message("whether column %1 is a force is not known", doubtful.label());
+    return askX ? Message("it is not known whether column %1 is displacement", doubtful.label())
+                : Message("it is not known whether column %1 is force", doubtful.label());
   }
 
   /// Applies units given by hand to columns whose title and unit contradict each other.
@@ -555,28 +557,26 @@ class LogReader {
     const Message nameThem("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
     switch (lack) {
       case TableLack::displacement:
-        return noForceLog(subject, Message("no column is a displacement; its columns are %1", titles),
+        return noForceLog(subject, Message("no column is displacement; the columns are %1", titles),
                           nameThem);
       case TableLack::force:
-        return noForceLog(subject, Message("no column is a force; its columns are %1", titles), nameThem);
+        return noForceLog(subject, Message("no column is force; the columns are %1", titles), nameThem);
       case TableLack::columns:
-        return noForceLog(
-            subject, Message("no column is a displacement and none is a force; its columns are %1", titles),
-            nameThem);
+        return noForceLog(subject,
+                          Message("no column is displacement and none is force; the columns are %1", titles),
+                          nameThem);
       case TableLack::movement:
         return noForceLog(
-            subject,
-            Message("its displacement does not change by more than its noise; its columns are %1", titles),
+            subject, Message("the displacement changes no more than its noise; the columns are %1", titles),
             Message("Give the log of a press"));
       case TableLack::sortedLoop:
         return noForceLog(
-            subject,
-            Message("press and release are sorted by displacement into one, and cannot be told apart"),
+            subject, Message("press and release are mixed, sorted by displacement, and cannot be separated"),
             Message("Export the points in the order travelled, or each stroke as a column of its own"));
       default:
-        return noForceLog(subject, Message("it holds a release stroke but no press"),
+        return noForceLog(subject, Message("there is a release stroke but no press"),
                           {{RemedyKind::swapStrokes, "if this is one"},
-                           {RemedyKind::advice, Message("Else record the press too")}});
+                           {RemedyKind::advice, Message("If it is a release, record the press too")}});
     }
   }
 
@@ -598,7 +598,7 @@ class LogReader {
     const std::string wanted = lowered(hints_.curve);
     const auto isWanted = [&](const LogRecord& each) { return lowered(each.name) == wanted; };
     if (wanted == "mean" && std::ranges::none_of(records, isWanted)) {
-      if (records.size() > 1) remark(Message("the mean of %1 records was taken", records.size()));
+      if (records.size() > 1) remark(Message("the mean of %1 recordings was taken", records.size()));
       return records.size() > 1 ? meanOf(records) : records.front();
     }
     if (!wanted.empty() && std::ranges::count_if(records, isWanted) == 1)
@@ -622,7 +622,7 @@ class LogReader {
     question.choices.push_back({"their mean", "--record mean"});
     if (wanted.empty()) reading_.question = std::move(question);
     return failure(wanted.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
-                   Message("it holds %1 records: %2", records.size(), namesOf(records)),
+                   Message("there are %1 recordings: %2", records.size(), namesOf(records)),
                    Message("Pass --record NAME|N for one of them, or --record mean"));
   }
 
@@ -639,7 +639,7 @@ class LogReader {
       return Failure{FailureCode::wrongUsage,
                      fileNameOf(hints_.releasePath),
                      {},
-                     Message("a pair is one press and one release, each in its file"),
+                     Message("a pair consists of two files, one with a press and one with a release"),
                      Message("Give the file of the press first, then that of the release")};
     record.release = std::move(second->records.front().press);
     std::ranges::reverse(record.release);
@@ -660,7 +660,7 @@ class LogReader {
     if (press.size() < 2) return strokeless("press stroke", press.size());
     const auto [least, most] = std::ranges::minmax(press, {}, &CurvePoint::displacement_mm);
     if (!(most.displacement_mm > least.displacement_mm))
-      return failure(FailureCode::noForceGraph, "press stroke", Message("its displacement never changes"),
+      return failure(FailureCode::noForceGraph, "press stroke", Message("the displacement never changes"),
                      Message("Check which column holds the displacement"));
     std::size_t together = 1;
     while (std::max(press.size(), release.size()) > kMostSamples) {
@@ -671,8 +671,7 @@ class LogReader {
       const LogInterpretation& made = found.best.front();
       if (made.forcesTurned) log_.remarks.push_back({RemarkCode::forcesTurned});
       if (made.displacementTurned) log_.remarks.push_back({RemarkCode::displacementTurned});
-      if (made.joined)
-        remark(Message("the press was taken back in part and resumed: its beginning was joined to it"));
+      if (made.joined) remark(Message("the press went back a little and continued; both parts were joined"));
       estimateNoise(press, release, lastDigit(found, true), lastDigit(found, false));
       readContacts(found, made);
       tellSpeeds(found, made);
@@ -739,8 +738,9 @@ class LogReader {
       cutBefore(press, before->contact_mm, true);
       cutBefore(release, before->contact_mm, false);
       shift_mm = before->contact_mm;
-      remark(Message("an approach of %1 through air was cut off; contact is certain to %2",
-                     millimetres(air_mm), millimetres(before->uncertainty_mm)));
+      remark(Message(
+          "the first %1, through air before contact, was cut off; the point of contact is certain to %2",
+          millimetres(air_mm), millimetres(before->uncertainty_mm)));
     }
     if (shift_mm == 0) {
       // The stage's position is not travel, so a press that starts without force starts at zero.

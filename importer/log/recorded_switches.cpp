@@ -274,13 +274,13 @@ bool keepsStrokesApart(const nlohmann::json& json) {
 Result<std::vector<RecordedSwitch>> switchesOfJson(const nlohmann::json& json, const std::string& subject) {
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
   if (json.is_discarded())
-    return unreadableFile(subject, Message("it is no JSON"),
-                          Message("Export it again: it may have been cut off"));
+    return unreadableFile(subject, Message("the file is not JSON"),
+                          Message("Export the file again: it may have been cut off"));
   if (json.is_object() && json.contains("resources"))
-    return noForceLog(subject, Message("it is the description of a data package"),
-                      Message("Import the CSV of its curve, which lies beside it"));
+    return noForceLog(subject, Message("the file is the description of a data package"),
+                      Message("Import the CSV file of its curve, which is in the same folder"));
   if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
-    return noForceLog(subject, Message("it holds no strokes"),
+    return noForceLog(subject, Message("the file holds no strokes"),
                       Message("A recording has the lists down_x, down_y and up_y"));
   RecordedSwitch one;
   const std::vector<double> x = numbersAt(json, "down_x");
@@ -291,7 +291,7 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const nlohmann::json& json, c
   one.operatingPoint = firstOf(json, "pressPoint");
   one.resetPoint = firstOf(json, "releasePoint");
   one.scaleDoubtful = true;
-  if (one.press.size() < 2) return noForceLog(subject, Message("its lists hold no press"));
+  if (one.press.size() < 2) return noForceLog(subject, Message("the lists of the recording hold no press"));
   return std::vector{std::move(one)};
 }
 
@@ -301,8 +301,8 @@ Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, 
   const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
   return unreadableFile(subject,
-                        json.is_discarded() ? Message("its wpd.json is no JSON")
-                                            : Message("its wpd.json is no project of WebPlotDigitizer"),
+                        json.is_discarded() ? Message("the wpd.json in it is not JSON")
+                                            : Message("the wpd.json in it is not a WebPlotDigitizer project"),
                         Message("Save the project once more in WebPlotDigitizer"));
 }
 

@@ -289,14 +289,14 @@ Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const s
     return unreadableFile(subject, Message("spreadsheets need the library libzip, which is not installed"),
                           Message("Install it (on Debian: libzip4), or save the sheet as CSV"));
   const Archive archive(*libzip, bytes);
-  if (!archive) return damaged(Message("it is no spreadsheet, or a damaged one"));
+  if (!archive) return damaged(Message("the file is not a spreadsheet, or is damaged"));
   std::vector<Table> tables;
   const auto keep = [&](Table table) {
     if (table.rows() > 0) tables.push_back(std::move(table));
   };
   if (archive.has("content.xml")) {
     const auto document = xmlOf(archive.read("content.xml"));
-    if (!document) return damaged(Message("its content is damaged, or larger than 64 MB when unpacked"));
+    if (!document) return damaged(Message("the content is damaged, or larger than 64 MB when unpacked"));
     std::size_t sheets = 0;
     const pugi::xpath_node_set found = (*document)->select_nodes("//table:table");
     for (const pugi::xpath_node& node : found)
@@ -304,11 +304,11 @@ Result<std::vector<Table>> tablesOfSpreadsheet(const std::string& bytes, const s
     return tables;
   }
   const auto worksheets = worksheetsOf(archive);
-  if (worksheets.empty()) return damaged(Message("the archive holds no sheet"));
+  if (worksheets.empty()) return damaged(Message("the spreadsheet file has no sheet"));
   const std::vector<std::string> shared = sharedStringsOf(archive);
   for (const auto& [path, name] : worksheets) {
     const auto document = xmlOf(archive.read(path));
-    if (!document) return damaged(Message("its content is damaged, or larger than 64 MB when unpacked"));
+    if (!document) return damaged(Message("the content is damaged, or larger than 64 MB when unpacked"));
     keep(tableOfXlsx((*document)->child("worksheet"), shared, name));
   }
   return tables;

@@ -456,7 +456,7 @@ Result<Table> tableOfText(std::string content, const std::string& subject, const
     at = std::min(at, text.size());
     if (at - from > longestTextLine_bytes)
       return Failure{FailureCode::unreadableInput, subject, "line " + std::to_string(line),
-                     Message("the line does not end"), Message("Give a table with one sample per line")};
+                     Message("the line is too long"), Message("Give a table with one sample per line")};
     if (dialect.commaComma) {
       const bool numbers = halves.size() >= 4 && halves.size() % 2 == 0 &&
                            std::ranges::all_of(halves, [](std::string_view half) {

@@ -36,7 +36,7 @@ std::string megabytes(double bytes) {
 std::optional<Failure> tooLarge(const std::string& name, double bytes, const PageLimits& limits) {
   if (bytes <= limits.maxFileMegabytes * 1024 * 1024) return std::nullopt;
   return unreadable(name, "",
-                    Message("the file has %1, more than the limit of %2", megabytes(bytes),
+                    Message("the file has %1; the limit is %2", megabytes(bytes),
                             megabytes(limits.maxFileMegabytes * 1024 * 1024)),
                     {{RemedyKind::advice, Message("Give a smaller file")}, {RemedyKind::raiseLimit, {}}});
 }
@@ -48,10 +48,10 @@ Result<Bytes> readFile(const std::string& path, const std::string& name, const P
     return unreadable(name, "", Message("there is no such file"), Message("Check the path %1", path));
   if (std::filesystem::is_directory(status))
     return unreadable(name, "", Message("this is a folder, not a file"),
-                      Message("Choose one of the files in it"));
+                      Message("Choose one of the files in the folder"));
   if (!std::filesystem::is_regular_file(status))
-    return unreadable(name, "", Message("this is not a regular file"),
-                      Message("Save its content to a file and import that"));
+    return unreadable(name, "", Message("this is not an ordinary file"),
+                      Message("Save the content to an ordinary file and import that file"));
   std::ifstream in(path, std::ios::binary);
   if (!in)
     return unreadable(name, "", Message("the file cannot be opened"),
@@ -89,22 +89,24 @@ std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
   const FileKind promised = kindOfName(file.name);
   if (actual == FileKind::unknown) {
     const Message content = isProbablyText(*file.bytes) ? Message("the content is plain text")
-                                                        : Message("the content is of no known type");
-    return unreadable(file.name, Message("first bytes"),
-                      promised == FileKind::unknown
-                          ? content
-                          : Message("%1, although the name promises a %2", content, kindName(promised)),
-                      Message("Give a PNG, JPEG, BMP, TIFF, WebP, GIF, PDF, SVG or CSV file"));
+                                                        : Message("the type of the content is not known");
+    return unreadable(
+        file.name, Message("first bytes"),
+        promised == FileKind::unknown
+            ? content
+            : Message("%1, although the file name says that it is a %2", content, kindName(promised)),
+        Message("Give a PNG, JPEG, BMP, TIFF, WebP, GIF, PDF, SVG or CSV file"));
   }
   if (isForeignPicture(actual))
     return unreadable(file.name, Message("first bytes"),
-                      Message("the content is a %1, which is not read", kindName(actual)),
+                      Message("the content is a %1, which Detent cannot read", kindName(actual)),
                       Message("Open it in a picture viewer and save it as PNG"));
   if (contradicts(promised, actual))
     return unreadable(
         file.name, Message("first bytes"),
-        Message("the content is a %1, although the name promises a %2", kindName(actual), kindName(promised)),
-        Message("Check that this is the file you mean, and give it the name that fits its content"));
+        Message("the content is a %1, although the file name says that it is a %2", kindName(actual),
+                kindName(promised)),
+        Message("Check that this is the right file, and give it a name that suits its content"));
   return std::nullopt;
 }
 
@@ -116,7 +118,7 @@ Result<SourceFile> unpacked(const SourceFile& file) {
     return unreadable(
         file.name, "",
         Message("the packed content is damaged, or larger than the limit of %1", megabytes(most_bytes)),
-        {{RemedyKind::advice, Message("Unpack the file and import what is in it")},
+        {{RemedyKind::advice, Message("Unpack the file and import its content")},
          {RemedyKind::raiseLimit, {}}});
   SourceFile changed = file;
   changed.bytes = std::make_shared<const Bytes>(std::move(*content));
@@ -139,7 +141,7 @@ OpenedSource openSource(const SourceFile& asGiven) {
 }
 
 Failure outOfMemory(const std::string& name) {
-  return unreadable(name, "", Message("reading it needs more memory than there is"),
+  return unreadable(name, "", Message("there is not enough memory to read the file"),
                     Message("Scale the picture down or crop it to the graph"));
 }
 
@@ -201,7 +203,7 @@ Result<PageView> Document::view(const Page& page, const Box& region, int quarter
   DETENT_CHECK(page.number >= 1 && page.number <= pageCount(),
                "a view is made of a page of its own document");
   if (!finite(region) || region.x1 < region.x0 || region.y1 < region.y0)
-    return Failure{FailureCode::wrongUsage, name(), "", Message("the region is not a box"),
+    return Failure{FailureCode::wrongUsage, name(), "", Message("the region is not a rectangle"),
                    Message("Give left, top, right, bottom")};
   try {
     return impl_->source->view(page, region, quarterTurns, options, levelToPage, progress);

@@ -9,7 +9,8 @@ namespace detent::importer {
 namespace {
 
 Failure absent(const SourceFile& file, const std::string& kind) {
-  return unreadable(file.name, "", Message("this build reads no %1 files (it was made without MuPDF)", kind),
+  return unreadable(file.name, "",
+                    Message("this build of Detent cannot read %1 files (it was built without MuPDF)", kind),
                     Message("Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 "
                             "dpi and import that"));
 }

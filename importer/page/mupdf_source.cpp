@@ -106,7 +106,7 @@ Failure MupdfSource::damaged(const std::string& place, const std::string& error)
   return unreadable(
       file_.name, place,
       Message("the %1 is damaged (%2)", kind(), error.empty() ? Message("no reason given") : Message(error)),
-      Message("Open it in a viewer and print or export it again, or import a picture of the page"));
+      Message("Open the file in a viewer and print or export it again, or import a picture of the page"));
 }
 
 std::optional<Failure> MupdfSource::open() {
@@ -115,7 +115,7 @@ std::optional<Failure> MupdfSource::open() {
   constexpr std::size_t endMarkWithin = 4096;  // bytes
   const auto end = std::span(*file_.bytes).last(std::min(file_.bytes->size(), endMarkWithin));
   if (!context)
-    return unreadable(file_.name, "", Message("there is no memory to open it"),
+    return unreadable(file_.name, "", Message("there is not enough memory to open the file"),
                       Message("Close other programs and try again"));
   if (kind() == "PDF" && std::search(end.begin(), end.end(), endMark.begin(), endMark.end()) == end.end())
     return unreadable(file_.name, Message("end of file"),
@@ -160,19 +160,19 @@ std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int n
     case CollectStop::cancelled:
       return Failure::cancelled(file_.name);
     case CollectStop::tooManyPoints:
-      return because(Message("its drawing has more than the limit of %1 points",
+      return because(Message("the drawing has too many points (the limit is %1)",
                              std::to_string(file_.limits.maxPathPoints)));
     case CollectStop::tooManyOperations:
-      return because(Message("it draws more objects than any real page does"));
+      return because(Message("the page has too many objects"));
     case CollectStop::tooDense:
-      return because(Message("it takes too long to draw"));
+      return because(Message("the page takes too long to draw"));
     case CollectStop::tooSlow:
-      return because(Message("it takes too long to interpret"));
+      return because(Message("the page takes too long to interpret"));
     case CollectStop::imageTooLarge:
-      return because(Message("an image on it claims %1 x %2 pixels, which is more than the limit",
+      return because(Message("an image on the page claims %1 x %2 pixels, which is more than the limit",
                              std::to_string(control.imageWidth_px), std::to_string(control.imageHeight_px)));
     case CollectStop::outOfMemory:
-      return because(Message("it needs more memory than allowed"));
+      return because(Message("the page needs more memory than allowed"));
   }
   return std::nullopt;
 }
@@ -291,7 +291,8 @@ std::optional<Failure> MupdfSource::drawnOn(const RecordedPage& page, const fz_m
       runStoppable(cookie, endOfPage_s(), progress, [&] { done = guarded(context, error, draw); });
   if (stop == RunStop::cancelled) return Failure::cancelled(file_.name);
   if (stop == RunStop::tooSlow)
-    return unreadable(file_.name, placeOf(page.number), Message("it takes too long to draw"), simplify());
+    return unreadable(file_.name, placeOf(page.number), Message("the page takes too long to draw"),
+                      simplify());
   if (!done) return damaged(placeOf(page.number), error);
   return std::nullopt;
 }

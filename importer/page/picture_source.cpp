@@ -83,8 +83,7 @@ class PictureSource : public PageSource {
  private:
   Failure undecodable(int number) const {
     if (kind_ == FileKind::gif)
-      return unreadable(file_.name, placeOf(number),
-                        Message("the GIF picture is damaged, or a film of several pictures"),
+      return unreadable(file_.name, placeOf(number), Message("the GIF picture is damaged or animated"),
                         Message("Save the picture that shows the whole graph as PNG and import that"));
     return unreadable(file_.name, placeOf(number),
                       Message("the %1 is damaged and cannot be decoded", kindName(kind_)),
@@ -145,7 +144,7 @@ std::string megapixels(double pixels) {
 std::optional<Failure> refusal(const SourceFile& file, FileKind kind, const PictureHeader& header) {
   if (header.width_px <= 0 || header.height_px <= 0)
     return unreadable(file.name, Message("header"),
-                      Message("the %1 states no size or is cut off before it", kindName(kind)),
+                      Message("the %1 states no size, or is cut off before the size", kindName(kind)),
                       Message("Save or export the picture again and import the new file"));
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
   if (pixels > file.limits.maxMegapixels * 1e6)

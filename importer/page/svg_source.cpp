@@ -60,12 +60,12 @@ class SvgSource : public PageSource {
     if (result.end != svg::WorkerEnd::drawn) return refusal(result);
     if (result.leftOut > 0)
       remarks_.push_back({RemarkCode::pageUnreadable,
-                          {1, Message("%1 parts are not drawn that lie in other files or are HTML",
+                          {1, Message("%1 parts are not drawn, because they are HTML or lie in other files",
                                       std::to_string(result.leftOut))}});
     if (!result.withoutFont.empty())
-      remarks_.push_back(
-          {RemarkCode::pageUnreadable,
-           {1, Message("no font has the letters %1, and boxes stand for them", result.withoutFont)}});
+      remarks_.push_back({RemarkCode::pageUnreadable,
+                          {1, Message("no installed font has the letters %1; boxes are drawn instead",
+                                      result.withoutFont)}});
     SourceFile pdf = file_;
     pdf.bytes = std::make_shared<const Bytes>(std::move(result.pdf));
     pdf.pdfUnits = result.scale;
@@ -99,16 +99,17 @@ class SvgSource : public PageSource {
                           Message("the program detent-svg-worker cannot be started (%1)", result.words),
                           Message("Close other programs and try again"));
       case svg::WorkerEnd::tooSlow:
-        return unreadable(file_.name, "", Message("it takes too long to draw"), orRaise);
+        return unreadable(file_.name, "", Message("the drawing takes too long to draw"), orRaise);
       case svg::WorkerEnd::tooLarge:
-        return unreadable(file_.name, "", Message("it draws more than any real drawing does"), otherwise);
+        return unreadable(file_.name, "", Message("the drawing has too many objects"), otherwise);
       case svg::WorkerEnd::refused:
         return cannot(Message(result.words));
       case svg::WorkerEnd::broke:
       case svg::WorkerEnd::drawn:
         break;
     }
-    return cannot(Message("it needs more memory than allowed, or breaks the program that draws it"));
+    return cannot(
+        Message("the drawing needs more memory than allowed, or crashes the program that draws it"));
   }
 
   SourceFile file_;

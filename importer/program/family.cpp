@@ -102,7 +102,7 @@ Result<Family> importFamily(const std::vector<std::string>& inputs, const Import
                             const Progress& progress) {
   if (inputs.size() > Button::mostSpeeds)
     return Failure{FailureCode::wrongUsage, "--family", "", format("is given %zu records", inputs.size()),
-                   "Keep two to four of them"};
+                   "Keep two to four of the records"};
   std::vector<Button> buttons;
   std::vector<double> speeds;
   std::optional<Family> family;

@@ -349,13 +349,14 @@ Result<LibrarySwitch> switchLike(const LibraryArguments& a, bool errors) {
   if (!isLibraryFile(a.like))
     return Failure{
         FailureCode::wrongUsage, Subject::option("--like"), "",
-        Message("'%1' is no button or force log", a.like),
+        Message("'%1' is neither a button nor a force log", a.like),
         "Import a picture or page first (detent-import INPUT -o OUT.button.json), and pass the button"};
   auto switches = readSwitches(a.like, errors);
   if (!switches) return switches.failure();
   if (a.likePart > switches->size())
     return Failure{FailureCode::wrongUsage, Subject::option("--like-part"), "",
-                   Message("it holds %1 switches or states", switches->size()), "Pass one of them, from 1"};
+                   Message("there are only %1 switches or states", switches->size()),
+                   "Pass one of them, from 1"};
   return std::move((*switches)[a.likePart - 1]);
 }
 
@@ -396,7 +397,7 @@ Result<Done> writeWanted(const LibraryArguments& a, const FoundSwitches& result)
                    "Give some, e.g. --peak 50..60gf"};
   if (!lowered(a.wanted).ends_with(".button.json"))
     return Failure{FailureCode::wrongUsage, Subject::option("--output"), "",
-                   Message("'%1' is no button's name", a.wanted), "Give it the ending .button.json"};
+                   Message("'%1' is not the name of a button", a.wanted), "Give it the ending .button.json"};
   const auto wanted = wantedButton(result, a.find.ranges);
   if (!wanted) return wanted.failure();
   return writeButtonFile(a.wanted, *wanted);
@@ -432,7 +433,7 @@ int runReport(const LibraryArguments& a) {
   const std::string ending = lowered(std::filesystem::path(a.page).extension().string());
   if (ending != ".html" && ending != ".htm")
     return refused({FailureCode::wrongUsage, Subject::option("--output"), "",
-                    Message("'%1' is no page's name", a.page), "Give it the ending .html"},
+                    Message("'%1' is not the name of a page", a.page), "Give it the ending .html"},
                    a.page, a.json);
   auto like = switchLike(a, true);
   if (!like) return refused(like.failure(), a.like, a.json);

@@ -93,12 +93,12 @@ Result<ImportReport> reportOfLog(Result<ForceLog> log, const std::optional<Quest
   if (isAmbiguous)
     gravest = Doubt{DoubtCode::assumed,
                     {Message("the table can be read in several ways: %1", question->what)},
-                    Message("Pass one of the choices")};
+                    Message("Choose one of these")};
   else if (!gravest && (isNoLog || isBadFit))
     gravest = Doubt{DoubtCode::assumed,
-                    {isNoLog ? Message("the table is hardly a record of a button")
-                             : Message("the fitted curve leaves the samples")},
-                    Message("Check the values, or ask for a lower confidence")};
+                    {isNoLog ? Message("the table does not look like a measurement of a button")
+                             : Message("the fitted curve deviates from the measured values")},
+                    Message("Check the values, or accept a lower confidence")};
   if (gravest && !request.acceptDoubt) {
     return failureOf(*gravest, fileName);
   }

@@ -14,7 +14,7 @@ Failure tookTooLong(const KeptPages& pages, const TimeLimit& limit) {
   return pages.failure(
       FailureCode::unreadableInput, {},
       Message("nothing was read within the limit of %1 s", MessageValue(limit.seconds)),
-      {{RemedyKind::advice, Message("Choose a lower level of quality")}, {RemedyKind::raiseLimit, {}}});
+      {{RemedyKind::advice, Message("Choose a lower quality")}, {RemedyKind::raiseLimit, {}}});
 }
 
 /// Judges a reading that was made with doubts accepted, for a caller who does not accept them.

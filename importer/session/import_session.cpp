@@ -50,12 +50,14 @@ bool ImportSession::isForceLog() const { return !impl_->document; }
 
 Result<const Page*> ImportSession::page(int number, const Progress& progress) {
   if (isForceLog())
-    return impl_->wrongUsage(Message("a force log has no pages"), Message("Import it without a page number"));
+    return impl_->wrongUsage(Message("a force log has no pages"),
+                             Message("Import the log without a page number"));
   return impl_->document->pages().page(number, progress);
 }
 
 Result<std::vector<ListedRecord>> ImportSession::records(const ImportHints& hints, const Progress& progress) {
-  if (!isForceLog()) return impl_->wrongUsage(Message("a page has no records"), Message("List its graphs"));
+  if (!isForceLog())
+    return impl_->wrongUsage(Message("a page has no recordings"), Message("List the graphs of the page"));
   return recordsOfLog(impl_->path, hints, progress);
 }
 
@@ -63,7 +65,7 @@ Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, 
                                       const Progress& progress) {
   if (isForceLog())
     return impl_->wrongUsage(Message("a force log has no pages to list"),
-                             Message("Import it without listing"));
+                             Message("Import the log without listing"));
   return listGraphs(impl_->document->graphs(), page, locateKeyOf(quality, hints), progress);
 }
 

@@ -268,7 +268,7 @@ Message nameOf(SpecQuantity quantity) {
     case SpecQuantity::totalTravel:
       return Message("total travel");
     case SpecQuantity::preTravel:
-      return Message("pretravel");
+      return Message("pre-travel");
     case SpecQuantity::operatingForce:
       return Message("operating force");
     case SpecQuantity::tactileForce:

@@ -220,7 +220,7 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
     return Failure{FailureCode::noForceGraph,
                    "plot frame",
                    "",
-                   Message("its curve has fewer than two points"),
+                   Message("the curve has fewer than two points"),
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   auto notSeen = releaseNamedBeside(trace, axes.texts);
@@ -575,7 +575,7 @@ bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
 
 Failure hiddenEnd() {
   return {FailureCode::notCertain, "plot frame", "",
-          Message("the curve ends where one of another switch covers it"), RemedyKind::drawPress};
+          Message("the curve ends where the curve of another switch covers it"), RemedyKind::drawPress};
 }
 
 }  // namespace

@@ -331,7 +331,8 @@ Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
     if (fitting.size() == 1) return fitting.front();
   if (const auto index = numbered(requested, switches.size())) return *index;
   Failure notThere{FailureCode::wrongUsage, kPlace, "",
-                   Message("no one curve in it is \"%1\"; it shows %2", requested, listOf(switches)), choose};
+                   Message("no single curve is named \"%1\"; the plot shows %2", requested, listOf(switches)),
+                   choose};
   notThere.reason = nameOf(DoubtCode::severalSwitches);
   return notThere;
 }

@@ -490,7 +490,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
       findColours(scene, either(scene.lettering().mask, scene.area().masked));
   addLetterColour(palette, scene);
   const GivenColours given = addGivenColours(palette, hints, scene);
-  if (palette.empty()) return noCurve(Message("is empty: nothing but paper and grid lines in it"));
+  if (palette.empty()) return noCurve(Message("is empty: it shows only paper and gridlines"));
   if (progress.isCancelled()) return Failure::cancelled();
 
   const PlotColours plot(scene, std::move(palette));
@@ -584,8 +584,8 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
                                             const AxesFound& axes, const TraceHints& hints,
                                             const TraceOptions& options, const Progress& progress) {
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
-    return Failure{FailureCode::wrongUsage, "point spacing", "", Message("must lie in (0, 16] px"),
-                   Message("Leave it at 1")};
+    return Failure{FailureCode::wrongUsage, "point spacing", "", Message("must be above 0 and at most 16 px"),
+                   Message("Leave the value at 1")};
   std::vector<CurveTrace> exact = traceVector(view, scene.plotFrame(), axes, hints);
   if (!exact.empty()) {
     addLostBottomOuts(exact, scene);

@@ -325,7 +325,7 @@ TEST_CASE("a doubt about an axis names what the axis shows") {
        {Row{"inductance (H)", "the y axis measures \"inductance (H)\"", true},
         Row{"kPa", "the y axis measures \"kPa\"", true},
         Row{"values on a logarithmic scale", "the y axis is logarithmic", false},
-        Row{"categories, not to scale", "the y axis has categories in place of a scale", false}}) {
+        Row{"categories, not to scale", "the y axis has categories instead of a scale", false}}) {
     CAPTURE(row.quantity);
     AxisCalibration axes;
     CHECK(otherQuantitiesOf(axes).empty());
@@ -684,7 +684,8 @@ TEST_CASE("printed numbers speak for given ends or against them") {
       CHECK(agreeing(*axis) == std::ssize(axis->ticks));
     }
     CHECK(axes.evidence.front().code == EvidenceCode::axisGivenAmongLabels);
-    CHECK(english(messageOf(axes.evidence.front())) == "x axis: given, 9 of 9 printed numbers agree");
+    CHECK(english(messageOf(axes.evidence.front())) ==
+          "x axis: entered by hand; 9 of 9 printed numbers agree");
   }
   SECTION("one end that is wrong by a tenth of a step") {
     hints.xMax = 4.05;
@@ -730,7 +731,7 @@ TEST_CASE("an uneven scale is named as the reason even where some of its labels 
     REQUIRE(axes);
     const auto doubts = otherQuantitiesOf(axes->calibration.value);
     REQUIRE(doubts.size() == 1);
-    CHECK(english(messageOf(doubts.front())) == "the x axis has categories in place of a scale");
+    CHECK(english(messageOf(doubts.front())) == "the x axis has categories instead of a scale");
     CHECK_FALSE(doubts.front().remedies.include(RemedyKind::giveXUnit));  // no unit makes it even
     CHECK_FALSE(doubts.front().remedies.empty());
   }

@@ -273,16 +273,16 @@ TEST_CASE("tables that are no force log are refused for what they are") {
        {Refused{"time_s,temperature_C", "no column is"}, Refused{"Strain (%),Stress (MPa)", "no column is"},
         Refused{"Angle (deg),Torque (N·mm)", "no column is"},
         Refused{"Capacity (Ah),Voltage (V)", "no column is"},
-        Refused{"Time (s),Force (N)", "no column is a displacement"},
-        Refused{"Time (s),Position (mm)", "no column is a force"},
+        Refused{"Time (s),Force (N)", "no column is displacement"},
+        Refused{"Time (s),Position (mm)", "no column is force"},
         Refused{"Frequency (Hz),Gain (dB)", "no column is"},
-        Refused{"Travel (mm),Samples [N]", "no column is a force"},
-        Refused{"Travel (mm),Shock [g]", "no column is a force"},
-        Refused{"Travel (mm),Force (N m)", "no column is a force"},
-        Refused{"Travel (mm),Impulse (N s)", "no column is a force"},
-        Refused{"Wear (mm),Force (N)", "no column is a displacement"},
-        Refused{"Turns,Force (N)", "no column is a displacement"},
-        Refused{"x (mm),y (mm),z (mm)", "no column is a force"}}) {
+        Refused{"Travel (mm),Samples [N]", "no column is force"},
+        Refused{"Travel (mm),Shock [g]", "no column is force"},
+        Refused{"Travel (mm),Force (N m)", "no column is force"},
+        Refused{"Travel (mm),Impulse (N s)", "no column is force"},
+        Refused{"Wear (mm),Force (N)", "no column is displacement"},
+        Refused{"Turns,Force (N)", "no column is displacement"},
+        Refused{"x (mm),y (mm),z (mm)", "no column is force"}}) {
     CAPTURE(each.header);
     const std::string header = each.header;
     const bool three = std::count(header.begin(), header.end(), ',') == 2;
@@ -347,7 +347,7 @@ TEST_CASE("titles that speak for neither a displacement nor a force are refused"
     const auto log = readForceLog(file.path());
     REQUIRE_FALSE(log);
     CHECK(log.failure().code == FailureCode::noForceGraph);
-    CHECK(log.failure().sentence().find("no column is a displacement") != std::string::npos);
+    CHECK(log.failure().sentence().find("no column is displacement") != std::string::npos);
   }
 }
 

@@ -363,7 +363,7 @@ TEST_CASE("hostile and broken documents are refused") {
     PageLimits limits;
     limits.maxPageSeconds = 4;  // the drawing program gets a quarter of this
     CHECK(english(documentRefusal(svg + "</svg>", "bomb.svg", limits).problem) ==
-          "it takes too long to draw");
+          "the drawing takes too long to draw");
   }
   SECTION("an SVG nested too deep") {
     std::string svg = "<svg xmlns='http://www.w3.org/2000/svg'>";
@@ -887,7 +887,7 @@ TEST_CASE("one object that goes up and down the page without end is refused befo
     const Failure failure =
         documentRefusal(head + "<path " + paint + " d='" + path + "'/></svg>", "plot.svg");
     CHECK(failure.code == FailureCode::unreadableInput);
-    CHECK(english(failure.problem) == "it takes too long to draw");
+    CHECK(english(failure.problem) == "the drawing takes too long to draw");
     CHECK(processorSeconds() - before_s < 2);
   }
   // As long a way along the page costs little.

@@ -401,8 +401,8 @@ TEST_CASE("a picture of a format that is not read is refused by its name, with a
   const std::string video =
       "\0\0\0\x18"
       "ftypisom\0\0\2\0isommp41"s;
-  CHECK(english(refusalOf(Bytes(video.begin(), video.end()), "plot").problem).find("no known type") !=
-        std::string::npos);
+  CHECK(english(refusalOf(Bytes(video.begin(), video.end()), "plot").problem)
+            .find("type of the content is not known") != std::string::npos);
 }
 
 TEST_CASE("what cannot be read is refused with name, problem and remedy") {

@@ -170,7 +170,7 @@ TEST_CASE("given ends that contradict printed numbers are reported unless those 
   CHECK((confidence >= confidenceBar && confidence < 0.9));  // what is given holds, with a remark
   const auto doubts = doubtsOf(import.findings(), import.checks, import.hints);
   CHECK(english(messageOf(doubts.front().doubt)) ==
-        "the values given for the x axis contradict the numbers printed there (2, 3)");
+        "the values entered for the x axis contradict the numbers printed there (2, 3)");
   axis.contradictedBy = 0.3;
   CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLabels));
 }
@@ -671,7 +671,7 @@ TEST_CASE("the doubt about a second scale says what the scale names") {
         Row{RightScale::other, "Contact [mV]", "a second scale on the right measures \"mV\""},
         Row{RightScale::other, "", "a second scale on the right names no unit of force"},
         Row{RightScale::other, "Force", "a second scale on the right names no unit of force"},
-        Row{RightScale::otherForces, "Force [gf]", "a second scale on the right measures forces too"}}) {
+        Row{RightScale::otherForces, "Force [gf]", "a second scale on the right also measures forces"}}) {
     CAPTURE(row.title);
     Import scales;
     scales.graph.axes.rightScale = row.scale;

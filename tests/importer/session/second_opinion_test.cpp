@@ -127,7 +127,7 @@ TEST_CASE("Two other readings that agree replace an uncertain one", "[second opi
   CHECK(best.report->button.provenance()->confidence == 0.7);
   REQUIRE(says(*best.report, RemarkCode::secondReadingTaken));
   CHECK_THAT(english(messageOf(best.report->remarks.back())),
-             Catch::Contains(first == 0 ? "a travel of 6 mm" : "no even progression"));
+             Catch::Contains(first == 0 ? "a travel of 6 mm" : "do not form an even scale"));
   REQUIRE(best.report->readings.size() == 3);
   CHECK(best.report->readings[1].taken);
 }
