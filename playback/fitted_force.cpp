@@ -45,17 +45,16 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
   if (pace.roundTrip_s > 0) {
     const double answer_ms = rounded(1e3 * pace.roundTrip_s, 3), late_ms = rounded(1e3 * device.delay_s, 3);
     const bool busy = pace.computer_s > busyShare * pace.roundTrip_s;
-    return {FailureCode::deviceTrouble, device.name, "",
-            Message("answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest "
-                    "that is steady; this button needs %4 N/mm",
-                    answer_ms, late_ms, allowed, needed),
-            busy ? Message("This computer is late: it takes %1 ms to pass a line to itself. Close what else "
-                           "runs and allow "
-                           "real-time scheduling (docs/guide/force-feedback.md)",
-                           rounded(1e3 * pace.computer_s, 3))
-                 : Message("The device is late. Make the link quicker: native USB, a higher --baud, an FTDI "
-                           "latency timer of "
-                           "1 ms; or --upload, so that the device runs the law")};
+    return {
+        FailureCode::deviceTrouble, device.name, "",
+        Message("answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to %3 N/mm "
+                "are stable; this button needs %4 N/mm",
+                answer_ms, late_ms, allowed, needed),
+        busy ? Message("This computer is too slow: it takes %1 ms to send a line to itself. Close other "
+                       "programs and allow real-time scheduling (docs/guide/force-feedback.md)",
+                       rounded(1e3 * pace.computer_s, 3))
+             : Message("The device is too slow. Make the connection faster: native USB, a higher --baud, an "
+                       "FTDI latency timer of 1 ms. Or use --upload, so that the device computes the force")};
   }
   const Message bears("bears %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
   if (least.bound == StabilityBound::quantisation) {
@@ -64,11 +63,13 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
                  step_mm = rounded(heldByFriction * device.friction_N / spared_N_per_mm, 2);
     return {FailureCode::deviceTrouble, device.name, "", bears,
             step_mm >= finestEncoder_mm
-                ? Message("Friction of %1 N or an encoder step of %2 mm would carry it", friction_N, step_mm)
-                : Message("Friction of %1 N would carry it", friction_N)};
+                ? Message("With friction of %1 N or an encoder step of %2 mm, the button would be stable",
+                          friction_N, step_mm)
+                : Message("With friction of %1 N, the button would be stable", friction_N)};
   }
   return {FailureCode::deviceTrouble, device.name, "", bears,
-          Message("More damping of the handle, a quicker loop (--rate) or a shorter delay would carry it")};
+          Message("With more damping of the handle, a faster loop (--rate) or a shorter delay, the button "
+                  "would be stable")};
 }
 
 Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,

@@ -46,7 +46,8 @@ Result<ForceDeviceChoice> falconFrom(const std::string& text, bool numbered, std
   choice.profile = falconDevice();
   if (!numbered) return choice;
   const auto value = numberIn<unsigned>(number);
-  if (!value || *value > mostFalcons) return unknownDevice(text, Message("N counts Falcons from 0"));
+  if (!value || *value > mostFalcons)
+    return unknownDevice(text, Message("N counts the Falcons, starting with 0"));
   choice.number = *value;
   return choice;
 }
@@ -82,8 +83,8 @@ Result<FingerChoice> fingerFrom(const std::string& text) {
     if (text == "hold") return choice;
     choice.hold_mm = numberIn<double>(std::string_view(text).substr(holdAt.size()));
     if (choice.hold_mm && std::isfinite(*choice.hold_mm)) return choice;
-    return Failure{FailureCode::wrongUsage, "--finger " + text, "", Message("the place is not a number"),
-                   Message("Give it in mm with a point, for example hold=1.25")};
+    return Failure{FailureCode::wrongUsage, "--finger " + text, "", Message("the position is not a number"),
+                   Message("Give the position in mm with a point, for example hold=1.25")};
   }
   Result<PressTrace> trace = readPressTrace(text);
   if (!trace) return trace.failure();

@@ -34,8 +34,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
       if (at_mm < -1 || at_mm > travel_mm + 1) {
         return Failure{
             FailureCode::wrongUsage, "--finger hold", "",
-            Message("the place lies more than 1 mm outside the travel of %1", millimetres(travel_mm)),
-            Message("Give one inside the travel")};
+            Message("the position lies more than 1 mm outside the travel of %1", millimetres(travel_mm)),
+            Message("Give a position inside the travel")};
       }
       const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
       return FingerPlan{FingerHold{at_mm, std::min(carried_N, device.limits.force_N), 0.4}};
@@ -57,8 +57,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
   }
   if (times_s.empty()) {
     return Failure{FailureCode::unreadableInput, "--finger", "",
-                   Message("the trace has no reading that is a number"),
-                   Message("Give a press trace with finite values")};
+                   Message("no reading of the press trace is a number"),
+                   Message("Give a press trace with usable numbers")};
   }
   if (finger.trace.quantity == PressTrace::Quantity::force_N)
     return FingerPlan{FingerForcePath{times_s, values}};
@@ -86,8 +86,8 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   if (!fitted) return fitted;
   if (!opened.setPace(slow_s)) {
     return Failure{FailureCode::deviceTrouble, settings.device.port, "",
-                   Message("does not take limits for a slow link"),
-                   Message("Check that the firmware speaks docs/reference/force-protocol.md")};
+                   Message("does not accept the limits for a slow connection"),
+                   Message("Check that the firmware follows docs/reference/force-protocol.md")};
   }
   return fitted;
 }

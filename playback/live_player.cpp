@@ -181,11 +181,11 @@ class Player : public LivePlayer {
     if (!sounding_) {
       return Failure{FailureCode::wrongUsage, "press trace", "",
                      Message("cannot be played without a sound device"),
-                     Message("Start a player on a device")};
+                     Message("Start the player with a sound device")};
     }
     if (trace.readings.empty()) {
-      return Failure{FailureCode::wrongUsage, "press trace", "", Message("holds no reading"),
-                     Message("Give at least one")};
+      return Failure{FailureCode::wrongUsage, "press trace", "", Message("contains no readings"),
+                     Message("Give at least one reading")};
     }
     const double origin_s = std::min(0.0, trace.readings.front().time_s);
     std::vector<EngineInput> inputs = traceInputs(trace, origin_s);
@@ -217,7 +217,7 @@ class Player : public LivePlayer {
     const std::lock_guard lock(controlMutex_);
     if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
       return Failure{FailureCode::wrongUsage, "samples", "", Message("were requested too often at once"),
-                     Message("Wait until one has begun")};
+                     Message("Wait until one of the requests has begun")};
     }
     takes_.push_back(std::move(take));
     return Done{};
@@ -325,14 +325,15 @@ class Player : public LivePlayer {
       return Failure{FailureCode::wrongUsage, "samples", "", std::move(problem), remedy};
     };
     if (!sounding_)
-      return wrong(Message("cannot be played without a sound device"), Message("Start a player on a device"));
-    if (samples.empty()) return wrong(Message("are none"), Message("Give at least one"));
+      return wrong(Message("cannot be played without a sound device"),
+                   Message("Start the player with a sound device"));
+    if (samples.empty()) return wrong(Message("are missing"), Message("Give at least one reading"));
     if (!(sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
           sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
       return wrong(Message("have a rate outside 8000..192000 Hz"), Message("Choose another rate"));
     const bool within =
         std::all_of(samples.begin(), samples.end(), [](float v) { return v >= -1 && v <= 1; });
-    if (!within) return wrong(Message("pass full scale"), Message("Give samples within -1 and 1"));
+    if (!within) return wrong(Message("exceed full scale"), Message("Give samples within -1 and 1"));
     return std::nullopt;
   }
 
@@ -389,8 +390,8 @@ class Player : public LivePlayer {
     rain_ = std::move(*rain);
     if (rain_->deviceName() != output_->deviceName()) return Done{};
     return Failure{FailureCode::wrongUsage, masking.device, "",
-                   Message("is the device of the vibration too: the masking noise would be felt"),
-                   Message("Leave --noise-device out, or name the headphones' own")};
+                   Message("is also the device of the vibration: the masking noise would be felt"),
+                   Message("Leave --noise-device out, or name the device of the headphones")};
   }
 
   std::int64_t streamFrame() {

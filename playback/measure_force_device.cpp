@@ -95,8 +95,8 @@ class Measuring {
     if (!opened) return opened.failure();
     return keepPaceOf(**opened)
                ? started(*std::move(opened))
-               : Result<Done>(trouble(device_, "does not take limits for a slow link",
-                                      "Check that the firmware speaks docs/reference/force-protocol.md"));
+               : Result<Done>(trouble(device_, "does not accept the limits for a slow connection",
+                                      "Check that the firmware follows docs/reference/force-protocol.md"));
   }
 
   bool keepPaceOf(ForceDevice& opened) {
@@ -142,7 +142,7 @@ class Measuring {
     if (status.halt == ForceHalt::stopped)
       return trouble(device_, "was stopped", "Let the handle rest and measure again");
     if (status.halt == ForceHalt::reversed)
-      return trouble(device_, "reversed polarity: the handle moves against the force it is asked for",
+      return trouble(device_, "the polarity is reversed: the handle moves against the commanded force",
                      "Swap the motor's two wires or the encoder's A and B (of an ODrive: calibrate motor and "
                      "encoder anew)");
     if (status.halt == ForceHalt::deadCount) {

@@ -47,22 +47,21 @@ std::unique_ptr<ForceDevice> simulatedOn(const PreparedForce& prepared, const Fo
 
 Failure reversedOn(const std::string& port) {
   return {FailureCode::deviceTrouble, port, "",
-          Message("reversed polarity: the handle moves against the force it is asked for"),
+          Message("the polarity is reversed: the handle moves against the commanded force"),
           Message("Swap the motor's two wires or the encoder's A and B")};
 }
 
 Failure unmovedOn(const std::string& port) {
-  return {
-      FailureCode::deviceTrouble, port, "", Message("the handle does not follow a small push"),
-      Message("Turn it by hand: a position that stays the same means a dead encoder. Else free the handle, "
-              "take the finger off, and try again")};
+  return {FailureCode::deviceTrouble, port, "", Message("the handle does not follow a small push"),
+          Message("Turn the motor by hand: if the position does not change, the encoder is dead. Otherwise "
+                  "free the handle, take the finger off, and try again")};
 }
 
 Failure irregularOn(const std::string& port, std::uint64_t missed, std::uint64_t requested) {
   return {
       FailureCode::deviceTrouble, port, "",
       Message("%1 of %2 answers were late or lost while the handle was pushed a little", missed, requested),
-      Message("Check the cable, close what else runs on this computer, and try again")};
+      Message("Check the cable, close other programs on this computer, and try again")};
 }
 
 /// Pushes the handle slightly (realtime/direction_proof.h) before a law is uploaded that the device then runs
@@ -113,10 +112,10 @@ Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
   if (!device) return device.failure();
   const SerialForceInfo& info = (*device)->info();
   if (prepared.program.step_mm < info.step_mm * 0.999) {
-    return Failure{
-        FailureCode::wrongUsage, choice.port, "",
-        Message("the device has steps of %1; it was prepared for finer ones", millimetres(info.step_mm)),
-        Message("Give --step-mm %1", info.step_mm)};
+    return Failure{FailureCode::wrongUsage, choice.port, "",
+                   Message("the device has steps of %1, but the playback was prepared for finer steps",
+                           millimetres(info.step_mm)),
+                   Message("Give --step-mm %1", info.step_mm)};
   }
   if (choice.uploadTable) {
     if (Result<Done> proved = proveDirection(**device, prepared.program, choice.port); !proved)

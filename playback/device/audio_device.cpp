@@ -86,7 +86,8 @@ Failure troubleOf(const std::string& device, Message what, PaError error) {
       text += std::string(": ") + info->errorText;
   }
   return {FailureCode::deviceTrouble, device.empty() ? Subject("default device") : Subject(device), "",
-          Message("%1 (%2)", std::move(what), text), Message("See `detent-play devices` for what is there")};
+          Message("%1 (%2)", std::move(what), text),
+          Message("Run `detent-play devices` to see what is connected")};
 }
 
 AudioDeviceInfo infoOf(PaDeviceIndex index) {
@@ -115,8 +116,8 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
     const PaDeviceIndex index = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
     if (index == paNoDevice) {
       return Failure{FailureCode::deviceTrouble, "default device", "",
-                     output ? Message("no sound output is there") : Message("no sound input is there"),
-                     Message("Connect one, or start a JACK server")};
+                     output ? Message("no sound output was found") : Message("no sound input was found"),
+                     Message("Connect a sound device, or start a JACK server")};
     }
     return index;
   }
@@ -135,10 +136,10 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
   const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
   if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
-    return Failure{
-        FailureCode::deviceTrouble, wanted, "",
-        output ? Message("is not an output of this machine") : Message("is not an input of this machine"),
-        Message("See `detent-play devices`")};
+    return Failure{FailureCode::deviceTrouble, wanted, "",
+                   output ? Message("is not a sound output of this computer")
+                          : Message("is not a sound input of this computer"),
+                   Message("Run `detent-play devices` for a list")};
   }
   return Failure{FailureCode::wrongUsage, wanted, "", Message("names several devices: %1", names),
                  Message("Give a longer part of the name")};
@@ -212,7 +213,7 @@ class AudioOutput::Stream {
     channels_ = channelsOf(info);
     if (channels_.signal < std::min(1, settings_.channels))
       return Failure{FailureCode::deviceTrouble, info.fullName(), "",
-                     Message("has one output: the masking noise would be felt"),
+                     Message("has only one output: the masking noise would be felt"),
                      Message("Give the headphones' device as --noise-device")};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {

@@ -103,13 +103,13 @@ Result<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) return notReadable(file, Message("cannot be read (%1)", error.message()));
   if (size > largestFirmware_bytes)
-    return notReadable(file, Message("is no firmware of a Falcon: it is too large"));
+    return notReadable(file, Message("is not Falcon firmware: the file is too large"));
   std::vector<std::uint8_t> image(static_cast<std::size_t>(size));
   std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(image.data()), static_cast<std::streamsize>(image.size()));
   if (!in) return notReadable(file, Message("cannot be read"));
   if (!isFalconFirmware(image))
-    return notReadable(file, Message("is no firmware of a Falcon: it is no boot image of its processor"));
+    return notReadable(file, Message("is not Falcon firmware: it is not a boot image of its processor"));
   return image;
 }
 

@@ -59,10 +59,9 @@ std::string falconName(unsigned number) { return "Novint Falcon " + std::to_stri
 
 Failure usbTrouble(unsigned number, int error) {
   if (error == LIBUSB_ERROR_ACCESS) {
-    return {
-        FailureCode::deviceTrouble, falconName(number), "", Message("may not be used by you"),
-        Message(
-            "Give yourself the right by a udev rule (docs/guide/force-feedback.md), then plug it in again")};
+    return {FailureCode::deviceTrouble, falconName(number), "", Message("cannot be used without permission"),
+            Message("Give yourself the permission with a udev rule (docs/guide/force-feedback.md), then plug "
+                    "the device in again")};
   }
   if (error == LIBUSB_ERROR_BUSY) {
     return {FailureCode::deviceTrouble, falconName(number), "", Message("is in use by another program"),
@@ -70,7 +69,7 @@ Failure usbTrouble(unsigned number, int error) {
   }
   return {FailureCode::deviceTrouble, falconName(number), "",
           Message("cannot be opened (%1)", libusb_strerror(static_cast<libusb_error>(error))),
-          Message("Unplug it, switch its power off and on, plug it in again")};
+          Message("Unplug the device, switch its power off and on, plug it in again")};
 }
 
 }  // namespace

@@ -141,13 +141,13 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
     client->ports[c] =
         jack_port_register(client->jack, name.c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
     if (client->ports[c] == nullptr)
-      return trouble(Message("gives no more ports"), Message("Close another JACK program"));
+      return trouble(Message("has no free ports"), Message("Close another JACK program"));
   }
   jack_on_shutdown(client->jack, &Client::shutdown, client.get());
   jack_set_xrun_callback(client->jack, &Client::xrun, client.get());
   if (jack_set_process_callback(client->jack, &Client::process, client.get()) != 0 ||
       jack_activate(client->jack) != 0) {
-    return trouble(Message("refuses to start"), Message("Restart jackd"));
+    return trouble(Message("does not start"), Message("Restart jackd"));
   }
   const std::vector<std::string> inputs = inputsOf(client->jack, target);
   if (inputs.empty())

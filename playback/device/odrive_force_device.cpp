@@ -82,7 +82,7 @@ std::optional<double> positionIn(std::string_view line) {
 Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveSettings& settings) {
   if (settings.axis > 1 || settings.mmPerTurn == 0 || !std::isfinite(settings.mmPerTurn)) {
     return Failure{FailureCode::wrongUsage, settings.port, "",
-                   Message("axis or travel per turn mean nothing"),
+                   Message("the axis or the travel per turn is not valid"),
                    Message("Give axis 0 or 1 and a travel that is not 0")};
   }
   Result<SerialLink> link = SerialLink::open(settings.port, settings.baud);
@@ -102,21 +102,21 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
         FailureCode::deviceTrouble, settings.port, "",
         quoted.empty()
             ? Message("no ODrive answers on axis %1", settings.axis)
-            : Message("no ODrive answers on axis %1; what answers says \"%2\"", settings.axis, quoted),
+            : Message("no ODrive answers on axis %1; the answer was \"%2\"", settings.axis, quoted),
         Message(
             "Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)")};
   }
   const bool armed = device->arm(arming_s);
   if (!device->unheld_.empty()) {
     return Failure{FailureCode::deviceTrouble, settings.port, "",
-                   Message("axis %1 does not hold %2", settings.axis, device->unheld_),
-                   Message("Set that with odrivetool, then try again")};
+                   Message("axis %1 does not keep the setting %2", settings.axis, device->unheld_),
+                   Message("Make this setting with odrivetool, then try again")};
   }
   if (!armed) {
     return Failure{FailureCode::deviceTrouble, settings.port, "",
-                   Message("axis %1 does not arm: %2", settings.axis,
+                   Message("axis %1 cannot be switched on: %2", settings.axis,
                            odriveErrorWords(device->counts_.fault, device->counts_.newerFaults)),
-                   Message("Mend that with odrivetool (dump_errors), until closed-loop control runs")};
+                   Message("Correct this with odrivetool (dump_errors), until closed-loop control runs")};
   }
   return device;
 }
@@ -178,7 +178,7 @@ constexpr std::uint64_t leastCut = 100000000;  // nine digits
 }  // namespace
 
 Message odriveErrorWords(std::uint64_t error, bool newer) {
-  if (error == 0) return Message("it tells no error, and does not reach closed-loop control");
+  if (error == 0) return Message("it reports no error, but does not reach closed-loop control");
   std::size_t count = 0;
   const std::pair<std::uint64_t, Message>* names = newer ? newerNames(count) : olderNames(count);
   std::vector<Message> words;
@@ -191,8 +191,9 @@ Message odriveErrorWords(std::uint64_t error, bool newer) {
   std::array<char, 32> number{};
   if (unknown != 0 && error >= leastCut && error < 10 * leastCut) {
     std::snprintf(number.data(), number.size(), "%llu", static_cast<unsigned long long>(error));
-    return Message("an error whose code begins with %1 and was cut off: odrivetool's dump_errors tells it",
-                   std::string(number.data()));
+    return Message(
+        "an error whose code begins with %1; the rest was cut off, but dump_errors in odrivetool shows it",
+        std::string(number.data()));
   }
   std::snprintf(number.data(), number.size(), "0x%llX", static_cast<unsigned long long>(unknown));
   const std::string code = number.data();

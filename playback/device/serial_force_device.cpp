@@ -99,17 +99,18 @@ Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::st
     if (!device->hello(problem)) continue;
     if (device->info_.force_N < limits.force_N * 0.999) {
       return Failure{FailureCode::wrongUsage, port, "",
-                     Message("gives %1; it was prepared for more", newtons(device->info_.force_N)),
+                     Message("can produce only %1, less than the playback was prepared for",
+                             newtons(device->info_.force_N)),
                      Message("Give --max-N %1", device->info_.force_N)};
     }
     if (device->limited()) return device;
     problem = Message(
-        "does not say back the limits it was given: nothing would hold its force if this program failed");
+        "does not confirm the limits that it was given: nothing would limit its force if this program "
+        "failed");
   }
-  return Failure{
-      FailureCode::deviceTrouble, port, "", problem,
-      Message(
-          "Check that the firmware speaks docs/reference/force-protocol.md and the baud rate is the same")};
+  return Failure{FailureCode::deviceTrouble, port, "", problem,
+                 Message("Check that the firmware follows docs/reference/force-protocol.md and that the baud "
+                         "rate is the same")};
 }
 
 void SerialForceDevice::send(std::string_view body) {
@@ -127,9 +128,9 @@ bool SerialForceDevice::hello(Message& problem) {
     const std::optional<std::string_view> body = forceLineBody(*line);
     if (!body) {
       if (const std::string quoted = quotable(*line); quoted.empty()) {
-        problem = Message("answers with something that is no line of the protocol");
+        problem = Message("gives an answer that is not part of the protocol");
       } else {
-        problem = Message("answers \"%1\", which is no line of the protocol", quoted);
+        problem = Message("answers \"%1\", which is not part of the protocol", quoted);
       }
       continue;
     }
@@ -143,7 +144,7 @@ bool SerialForceDevice::hello(Message& problem) {
     }
     if (f.count < 7 || !read(f[6], version) || version < protocol) {
       problem = Message(
-          "speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew");
+          "uses an older protocol without its own force limit: install samples/firmware/force1d again");
       continue;
     }
     info_.name = f[1];
@@ -200,35 +201,36 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
 
 std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::string& device) {
   if (program.states[0].speedCount > 1) {
-    return Failure{
-        FailureCode::wrongUsage, device, "",
-        Message("holds the force of one speed, and this button has graphs at %1",
-                program.states[0].speedCount),
-        Message("Leave the upload out: the host runs the law; or upload the button of one speed, which "
-                "detent-graph convert --speed V writes")};
+    return Failure{FailureCode::wrongUsage, device, "",
+                   Message("can hold the force of only one speed; this button has graphs at %1 speeds",
+                           program.states[0].speedCount),
+                   Message("Do not upload, so that this computer computes the force. Or upload a button with "
+                           "one speed, which detent-graph convert --speed V writes")};
   }
   if (program.stateCount != 1) {
-    return Failure{FailureCode::wrongUsage, device, "",
-                   Message("runs one state only, and this button has %1", program.stateCount),
-                   Message("Leave the upload out: the host runs self-locking buttons")};
+    return Failure{
+        FailureCode::wrongUsage, device, "",
+        Message("can run only one state; this button has %1", program.stateCount),
+        Message("Do not upload, so that this computer computes the force of self-locking buttons")};
   }
   return {};
 }
 
 Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
-  Failure refused{FailureCode::deviceTrouble, info_.name, "", Message("does not take the force table"),
-                  Message("Check the firmware and the cable; without the upload the host runs the law")};
+  Failure refused{
+      FailureCode::deviceTrouble, info_.name, "", Message("does not accept the force table"),
+      Message("Check the firmware and the cable; without the upload, this computer computes the force")};
   if (std::optional<Failure> other = refusedAsTable(program, info_.name)) return *std::move(other);
   if (info_.tableRows < 2) {
-    return Failure{FailureCode::wrongUsage, info_.name, "", Message("holds no force table"),
-                   Message("Leave the upload out: the host runs the law")};
+    return Failure{FailureCode::wrongUsage, info_.name, "", Message("cannot hold a force table"),
+                   Message("Do not upload, so that this computer computes the force")};
   }
   const double requested_N = program.limits.force_N;
   if (!(requested_N > 0) || requested_N > limits_.force_N * (1 + 1e-9)) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
-                   Message("was opened for %1; the table has a limit of %2, or none",
+                   Message("was opened with a limit of %1, but the table has %2 or no limit",
                            newtons(limits_.force_N), newtons(requested_N)),
-                   Message("Prepare the button for the device's limit")};
+                   Message("Prepare the button for the limit of the device")};
   }
   table_ = forceTableLines(program, info_.tableRows);
   for (const std::string& line : table_) {

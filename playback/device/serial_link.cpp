@@ -67,7 +67,7 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
   }
   if (const std::string other = sameSerialNumber(port); !other.empty()) {
     return Failure{FailureCode::deviceTrouble, port, "",
-                   Message("is the name of two devices with one serial number; the other is %1", other),
+                   Message("is the name of two devices with the same serial number; the other is %1", other),
                    Message("Unplug one of them, or give a name under /dev/serial/by-path")};
   }
   SerialLink link;
@@ -89,7 +89,7 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
                    Message("Give another --baud, and set it in the firmware too")};
   }
   return Failure{FailureCode::deviceTrouble, port, "", Message("cannot be opened (%1)", std::strerror(errno)),
-                 Message("Check the name, the cable and your right to use it (group dialout)")};
+                 Message("Check the name, the cable and your permission to use the port (group dialout)")};
 }
 
 SerialLink::SerialLink(SerialLink&& other) noexcept { *this = std::move(other); }

@@ -421,8 +421,8 @@ std::optional<Failure> impossibleSampleOf(const ForceRecord& record) {
     const bool place = std::abs(record.displacement_mm[i]) <= ForceGraph::maxTravel_mm;
     if (place && std::abs(record.force_N[i]) <= ForceGraph::maxForce_N) continue;
     return Failure{FailureCode::unreadableInput, "record", Message("sample %1", i + 1),
-                   place ? Message("its force is %1", newtons(record.force_N[i]))
-                         : Message("its displacement is %1", millimetres(record.displacement_mm[i])),
+                   place ? Message("the force is %1", newtons(record.force_N[i]))
+                         : Message("the displacement is %1", millimetres(record.displacement_mm[i])),
                    "Record forces in N and displacements in mm"};
   }
   return {};
@@ -462,8 +462,8 @@ Result<Identification> identified(const ForceRecord& record, const IdentifySetti
       std::minmax_element(record.displacement_mm.begin(), record.displacement_mm.end());
   const RecordWindows windows(record, settings.lowestQuanta);
   if (!(*high_mm - *low_mm > leastMovement_quanta * windows.step_mm())) {
-    return unusable(Message("moves %1 in all, in steps of %2: too few of them",
-                            millimetres(*high_mm - *low_mm), millimetres(windows.step_mm())),
+    return unusable(Message("moves only %1 in steps of %2: too few steps", millimetres(*high_mm - *low_mm),
+                            millimetres(windows.step_mm())),
                     "Record a press over the whole travel");
   }
   Identification found;

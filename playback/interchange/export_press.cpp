@@ -20,7 +20,7 @@ constexpr std::string_view humanPress = "human:";
 
 Failure wrongPress(const std::string& name) {
   return {FailureCode::wrongUsage, Subject::option("--press"), "",
-          name.empty() ? Message("no press is named") : Message("%1 is no press", name),
+          name.empty() ? Message("no press is named") : Message("%1 is not a press", name),
           Message("Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or "
                   "time_s,displacement_mm")};
 }
@@ -65,12 +65,12 @@ bool sounds(const std::vector<std::vector<double>>& parts) {
 Failure tooFaint(const PressPlan& plan, ExportFormat format) {
   double peak = 0;
   for (const float sample : plan.samples) peak = std::fmax(peak, std::fabs(static_cast<double>(sample)));
-  return {
-      FailureCode::wrongUsage, Subject::option("--format"), "",
-      Message("%1 cannot hold this press: its strongest sample is %2 of full scale, and nothing would sound",
-              std::string(exportFormats.word(format)), peak),
-      Message(
-          "Press deeper, raise the gain of the device profile, or choose package, which holds any press")};
+  return {FailureCode::wrongUsage, Subject::option("--format"), "",
+          Message("%1 cannot hold this press: its strongest sample is only %2 of full scale, so nothing "
+                  "would be felt",
+                  std::string(exportFormats.word(format)), peak),
+          Message("Press deeper, raise the gain of the device profile, or choose the format package, which "
+                  "holds any press")};
 }
 
 }  // namespace
@@ -134,13 +134,13 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
                              const ExportSettings& settings) {
   if (settings.bits != 8 && settings.bits != 16)
     return Failure{FailureCode::wrongUsage, Subject::option("--bits"), "",
-                   Message("%1 bits are no format of samples here", static_cast<std::size_t>(settings.bits)),
+                   Message("samples of %1 bits are not supported", static_cast<std::size_t>(settings.bits)),
                    Message("Give 8 or 16")};
   if (settings.format == ExportFormat::pcm && !(settings.sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
                                                 settings.sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
     return Failure{FailureCode::wrongUsage, Subject::option("--rate"), "",
-                   Message("%1 samples a second are no rate of samples here", settings.sampleRate_Hz),
-                   Message("Give 8000 to 192000")};
+                   Message("a rate of %1 samples a second is not supported", settings.sampleRate_Hz),
+                   Message("Give a rate from 8000 to 192000")};
   if (Result<Done> ok = checkRendering(trace, {}); !ok) return ok.failure();
   Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, {});
   if (!plan) return plan.failure();
@@ -163,7 +163,7 @@ Result<std::vector<std::string>> writeExported(const Exported& exported, const s
   for (const ExportedFile& file : exported.files) {
     paths.push_back(pathOf(output, file));
     if (std::find(paths.begin(), paths.end() - 1, paths.back()) != paths.end() - 1)
-      return Failure{FailureCode::wrongUsage, output, "", Message("is the name of two files of this format"),
+      return Failure{FailureCode::wrongUsage, output, "", Message("would be the name of two exported files"),
                      Message("Give the file another ending than %1", file.ending)};
     files.push_back({paths.back(), file.text});
   }

@@ -88,14 +88,14 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   const std::vector<JsonPlace> entries = curve.at("ParameterCurveControlPoints").elements();
   if (entries.empty()) return;
   if (from_s > 0 && timeOf(entries.front()) >= from_s)
-    result.note(Message(
-        "control points count from their curve's Time; the curve at %1 s seems to count them from the "
-        "pattern's beginning and is played later than meant",
-        from_s));
+    result.note(
+        Message("control points count from the Time of their curve; the curve at %1 s seems to count them "
+                "from the beginning of the pattern, so it is played too late",
+                from_s));
   for (const JsonPlace& point : entries) {
     const double time_s = timeOf(point) + from_s;
     if (!points.empty() && time_s < points.back().first)
-      point.refuse(Message("lies before the control point it follows"),
+      point.refuse(Message("lies before the previous control point"),
                    Message("Sort the curve's points by time"));
     points.emplace_back(time_s, point.numberOr("ParameterValue", 0, -anyNumber, anyNumber));
   }
@@ -187,8 +187,8 @@ PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
 ReferenceWaves ahapWaves(const JsonPlace& file) {
   const double version = file.numberOr("Version", 1, 0, anyNumber);
   if (!(version >= 1 && version < 2))
-    file.at("Version").refuse(Message("is %1: another version of AHAP than 1", version),
-                              Message("Export it as version 1"));
+    file.at("Version").refuse(Message("is %1, but only version 1 of AHAP can be read", version),
+                              Message("Export the file as version 1"));
   ReferenceWaves result;
   Controls controls;
   std::vector<ReadAhapEvent> events;

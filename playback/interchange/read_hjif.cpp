@@ -40,7 +40,7 @@ WaveShape shapeOf(const JsonPlace& effect) {
   if (name == "SawToothUp") return WaveShape::sawtoothUp;
   if (name == "SawToothDown") return WaveShape::sawtoothDown;
   effect.at("base_signal")
-      .refuse(Message("is %1, which is no base signal", name),
+      .refuse(Message("is %1, which is not a base signal", name),
               Message("Give Sine, Square, Triangle, SawToothUp or SawToothDown"));
 }
 
@@ -54,7 +54,7 @@ std::vector<Keyframe> keyframesOf(const JsonPlace& effect, const Band& band) {
                        keyframes.empty() ? 0 : keyframes.back().time_s * band.ticks_per_s, 0, mostTicks) /
         band.ticks_per_s;
     if (!keyframes.empty() && keyframe.time_s < keyframes.back().time_s)
-      entry.refuse(Message("lies before the keyframe it follows"),
+      entry.refuse(Message("lies before the previous keyframe"),
                    Message("Sort the keyframes by relative_position"));
     if (entry.has("amplitude_modulation"))
       keyframe.amplitude = band.gain * entry.at("amplitude_modulation").number(-strongest, strongest);
@@ -149,12 +149,12 @@ void addEffect(const JsonPlace& effect, double from_s, const Band& band, Referen
 bool readBand(const JsonPlace& entry, Band& band, ReferenceWaves& result) {
   const std::string kind = entry.at("band_type").text();
   if (kind == "WaveletWave") {
-    result.note(Message("bands of wavelets are left out"));
+    result.note(Message("wavelet bands are left out"));
     return false;
   }
   if (kind != "VectorialWave" && kind != "Transient" && kind != "Curve")
     entry.at("band_type")
-        .refuse(Message("is %1, which is no kind of band", kind),
+        .refuse(Message("is %1, which is not a kind of band", kind),
                 Message("Give Transient, Curve or VectorialWave"));
   band.kind = kind == "Curve"       ? BandKind::curve
               : kind == "Transient" ? BandKind::transient
@@ -185,7 +185,8 @@ void readEffect(const JsonPlace& effect, const Library& library, const Band& ban
   if (type != "Reference") return result.note(Message("effects of the type %1 are left out", type));
   const auto found = library.find(effect.at("id").number(-mostTicks, mostTicks));
   if (found == library.end())
-    effect.at("id").refuse(Message("names no effect of the effect_library"), Message("Add the effect there"));
+    effect.at("id").refuse(Message("names an effect that is not in the effect_library"),
+                           Message("Add the effect to the effect_library"));
   addEffect(found->second, from_s, band, result);
 }
 
@@ -195,11 +196,11 @@ ReferenceWaves hjifWaves(const JsonPlace& file) {
   const std::string version = file.at("version").text();
   const bool draft = version == "1";  // the reference software wrote this before it named the edition
   if (!draft && !version.starts_with("2023") && !version.starts_with("2025"))
-    file.at("version").refuse(Message("is %1: another edition than those of 2023 and 2025", version),
-                              Message("Export it for one of these"));
+    file.at("version").refuse(Message("is %1, but only the editions of 2023 and 2025 can be read", version),
+                              Message("Export the file for one of these editions"));
   const double ticks_per_s = file.numberOr("timescale", 1000, 1, 48000);
   ReferenceWaves result;
-  if (draft) result.note(Message("its version is 1, a draft's; it is played as the edition of 2023"));
+  if (draft) result.note(Message("the file has the draft version 1; it is played as the edition of 2023"));
   std::size_t channels = 0;
   for (const JsonPlace& perception : file.at("perceptions").elements()) {
     const Library library = libraryOf(perception);

@@ -41,7 +41,8 @@ void turnDown(std::vector<double>& samples, ReferenceSignal& signal) {
   const double gain = peak > 1 ? 1 / peak : 1;
   // Excess caused by rounding is not reported.
   if (peak > 1 + 1e-6)
-    signal.notes.emplace_back(Message("it passes full scale by a factor of %1 and is turned down", peak));
+    signal.notes.emplace_back(
+        Message("the signal exceeds full scale by a factor of %1 and is turned down", peak));
   signal.samples.reserve(samples.size());
   for (const double sample : samples) signal.samples.push_back(static_cast<float>(sample * gain));
   signal.peak = peak * gain;
@@ -55,13 +56,13 @@ Result<ReferenceSignal> played(const ReferenceWaves& read, ReferenceFormat forma
     sounding_s += wave.points.back().time_s - wave.points.front().time_s;
   }
   if (!(end_s > 0))
-    return unreadable(name, {}, Message("holds nothing that sounds"), Message("Give a file with events"));
+    return unreadable(name, {}, Message("contains nothing to play"), Message("Give a file with events"));
   if (end_s > longestReference_s)
     return unreadable(name, {}, Message("lasts %1 s", end_s),
-                      Message("Give one of at most %1 s", longestReference_s));
+                      Message("Give a file of at most %1 s", longestReference_s));
   if (sounding_s > mostSounding_s)
-    return unreadable(name, {}, Message("holds events of %1 s, one on top of another", sounding_s),
-                      Message("Give one whose events last %1 s together at most", mostSounding_s));
+    return unreadable(name, {}, Message("contains events of %1 s in total, which overlap", sounding_s),
+                      Message("Give a file whose events last at most %1 s in total", mostSounding_s));
   std::vector<double> samples(static_cast<std::size_t>(std::ceil(end_s * referenceRate_Hz)) + 1, 0);
   addTo(samples, read.waves, referenceRate_Hz);
   ReferenceSignal signal;
@@ -115,15 +116,15 @@ bool isCutOff(const Head& head, const std::filesystem::path& file) {
 
 Result<ReferenceSignal> soundReference(const Head& head, const std::filesystem::path& file) {
   if (isCutOff(head, file))
-    return unreadable(file.string(), {}, Message("is cut off"), Message("Export or copy it again"));
+    return unreadable(file.string(), {}, Message("is cut off"), Message("Export or copy the file again"));
   Result<SoundSamples> sound = readSoundFile(file, longestReference_s);
   if (!sound) return sound.failure();
   ReferenceSignal signal;
   signal.format = ReferenceFormat::sound;
   if (sound->onlyChannel > 0)
-    signal.notes.emplace_back(Message("channel %1 of %2 alone is played: their mean would cancel out",
-                                      static_cast<std::size_t>(sound->onlyChannel),
-                                      static_cast<std::size_t>(sound->channels)));
+    signal.notes.emplace_back(
+        Message("only channel %1 of %2 is played, because the channels would cancel each other out",
+                static_cast<std::size_t>(sound->onlyChannel), static_cast<std::size_t>(sound->channels)));
   else if (sound->channels > 1)
     signal.notes.emplace_back(
         Message("the mean of its %1 channels is played", static_cast<std::size_t>(sound->channels)));
@@ -169,7 +170,7 @@ ReferenceSignal playedOrThrown(const nlohmann::json& json, const std::string& na
   if (file.has("Pattern")) return give(ahapWaves(file), ReferenceFormat::ahap);
   if (file.has("signals")) return give(hapticWaves(file), ReferenceFormat::haptic);
   if (file.has("perceptions")) return give(hjifWaves(file), ReferenceFormat::hjif);
-  file.refuse(Message("is JSON, but no haptic file"), anyOfThem());
+  file.refuse(Message("is JSON, but not a haptic file"), anyOfThem());
 }
 
 }  // namespace
@@ -188,7 +189,7 @@ JsonPlace JsonPlace::at(const char* key) const {
 }
 
 std::vector<JsonPlace> JsonPlace::elements() const {
-  if (!value_.is_array()) refuse(Message("is no list"), anyOfThem());
+  if (!value_.is_array()) refuse(Message("is not a list"), anyOfThem());
   std::vector<JsonPlace> list;
   list.reserve(value_.size());
   for (std::size_t i = 0; i < value_.size(); ++i)
@@ -197,7 +198,7 @@ std::vector<JsonPlace> JsonPlace::elements() const {
 }
 
 double JsonPlace::number(double low, double high) const {
-  if (!value_.is_number()) refuse(Message("is no number"), Message("Correct it"));
+  if (!value_.is_number()) refuse(Message("is not a number"), Message("Correct the value"));
   const double number = value_.get<double>();
   if (!(number >= low && number <= high))
     refuse(Message("is %1", number), Message("Give a number from %1 to %2", low, high));
@@ -209,7 +210,7 @@ double JsonPlace::numberOr(const char* key, double otherwise, double low, double
 }
 
 std::string JsonPlace::text() const {
-  if (!value_.is_string()) refuse(Message("is no text"), Message("Correct it"));
+  if (!value_.is_string()) refuse(Message("is not text"), Message("Correct the value"));
   return shortened(value_.get<std::string>());
 }
 
@@ -224,22 +225,23 @@ void JsonPlace::refuse(Message problem, const Message& remedy) const {
 Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name) {
   if (text.size() > largestText)
     return unreadable(name, {}, Message("is larger than %1 MB", largestText >> 20),
-                      Message("Give a shorter one"));
+                      Message("Give a shorter file"));
   try {
     bool closingCommas = false;
     const nlohmann::json json = jsonOf(text, closingCommas);
     ReferenceSignal signal = playedOrThrown(json, name);
     if (closingCommas)
-      signal.notes.emplace_back(Message("commas before a closing bracket are no JSON; they are left out"));
+      signal.notes.emplace_back(
+          Message("commas before a closing bracket are not valid JSON; they are ignored"));
     return signal;
   } catch (const Failure& failure) {
     return failure;
   } catch (const nlohmann::json::parse_error& error) {
     return unreadable(name, placeOfByte(text, error.byte),
                       Message("is not valid JSON: %1", plainReason(error.what())),
-                      Message("Export it again: it may have been cut off"));
+                      Message("Export the file again: it may have been cut off"));
   } catch (const nlohmann::json::out_of_range& error) {
-    return unreadable(name, {}, Message("holds a number no double can hold: %1", plainReason(error.what())),
+    return unreadable(name, {}, Message("holds a number that is too large: %1", plainReason(error.what())),
                       Message("Correct the number"));
   }
 }

@@ -45,24 +45,25 @@ Result<MagneticSensor> MagneticSensor::fromPairs(std::vector<SensorPair> pairs, 
                                                  const std::string& subject) {
   if (!(noise >= 0 && noise <= mostNoise))
     return Failure{FailureCode::wrongUsage, Subject::option("--noise"), "",
-                   Message("is not within 0 and 1000000 counts"),
+                   Message("must lie between 0 and 1000000 counts"),
                    Message("Give the standard deviation of the readings at rest")};
   if (pairs.size() < 2)
-    return unusable(subject, "", Message("holds fewer than two pairs"),
+    return unusable(subject, "", Message("has fewer than two pairs of displacement and reading"),
                     Message("Measure readings at several places of the travel"));
   const bool rises = pairs[1].reading > pairs[0].reading;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Message place("pair %1", i + 1);
     if (!std::isfinite(pairs[i].displacement_mm) || !std::isfinite(pairs[i].reading))
-      return unusable(subject, place, Message("is not finite"), Message("Remove or correct it"));
+      return unusable(subject, place, Message("is not a usable number"),
+                      Message("Remove or correct the value"));
     if (i == 0) continue;
     if (!(pairs[i].displacement_mm > pairs[i - 1].displacement_mm))
-      return unusable(subject, place, Message("does not lie deeper than the pair before"),
+      return unusable(subject, place, Message("is not deeper than the previous pair"),
                       Message("Sort the pairs by displacement"));
     if (pairs[i].reading == pairs[i - 1].reading || (pairs[i].reading > pairs[i - 1].reading) != rises)
-      return unusable(
-          subject, place, Message("reads no farther the same way than the pair before"),
-          Message("Leave out the part of the travel in which the sensor does not tell places apart"));
+      return unusable(subject, place, Message("has a reading that does not continue to rise or fall"),
+                      Message("Leave out the part of the travel where the reading of the sensor stays the "
+                              "same or turns back"));
   }
   return MagneticSensor(std::move(pairs), noise, false);
 }
@@ -80,8 +81,8 @@ Result<MagneticSensor> MagneticSensor::fromCsv(const std::string& file, double n
   while (table.next()) {
     const auto displacement_mm = table.finite((*columns)[0]), reading = table.finite((*columns)[1]);
     if (!displacement_mm || !reading)
-      return unusable(file, table.place(), Message("does not hold two finite numbers"),
-                      Message("Remove or correct it"));
+      return unusable(file, table.place(), Message("does not hold two usable numbers"),
+                      Message("Remove or correct the value"));
     pairs.push_back({*displacement_mm, *reading});
   }
   return fromPairs(std::move(pairs), noise, file);

@@ -74,7 +74,7 @@ Result<ForceDeviceMeasurement> parseForceDevice(const std::string& text, const s
             std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == key; });
         if (known == keys.end()) return Message("is not known");
         std::vector<double> numbers;
-        if (!numbersOf(value, numbers) || numbers.size() != 1) return Message("is not one number");
+        if (!numbersOf(value, numbers) || numbers.size() != 1) return Message("is not a single number");
         if (!(numbers[0] >= known->least && numbers[0] <= known->most))
           return Message("lies outside %1 to %2", exact(known->least), exact(known->most));
         *known->value = numbers[0];

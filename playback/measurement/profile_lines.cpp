@@ -58,7 +58,7 @@ Result<Done> readProfileLines(const std::string& text, const std::string& name, 
       continue;
     }
     const std::size_t equals = content.find('=');
-    if (equals == std::string_view::npos) return bad(Message("no = in the line"));
+    if (equals == std::string_view::npos) return bad(Message("the line has no ="));
     const std::string_view key = trimmed(content.substr(0, equals));
     Message problem = line(key, trimmed(content.substr(equals + 1)));
     if (!problem.empty()) return bad(Message("%1 %2", key, std::move(problem)));

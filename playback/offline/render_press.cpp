@@ -35,18 +35,18 @@ ConditionerSettings conditionerFor(PressTrace::Quantity quantity, const HapticPr
 Failure tooLong(const PressTrace& trace) {
   const double begins_s = trace.readings.front().time_s;
   if (begins_s > longestRender_s)
-    return {FailureCode::wrongUsage, "press trace", "", Message("its times begin at %1 s", begins_s),
-            Message("Take that off all of them, so that they begin at 0")};
-  return {FailureCode::wrongUsage, "press trace", "", Message("longer than a week"),
-          Message("Cut it into parts")};
+    return {FailureCode::wrongUsage, "press trace", "", Message("the first time is %1 s", begins_s),
+            Message("Subtract this from all times, so that they begin at 0")};
+  return {FailureCode::wrongUsage, "press trace", "", Message("the recording is longer than a week"),
+          Message("Cut the recording into parts")};
 }
 
 Failure noneIsReading(const PressTrace& trace) {
   const bool force = trace.quantity == PressTrace::Quantity::force_N;
-  return {
-      FailureCode::unreadableInput, "press trace", "",
-      Message("none of its %1 readings can be one: each is no number or out of range", trace.readings.size()),
-      force ? Message("Give forces in N, as a finger presses") : Message("Give displacements in mm")};
+  return {FailureCode::unreadableInput, "press trace", "",
+          Message("none of its %1 readings can be used: each is out of range or not a number",
+                  trace.readings.size()),
+          force ? Message("Give the forces of a pressing finger in N") : Message("Give displacements in mm")};
 }
 
 }  // namespace
@@ -54,18 +54,20 @@ Failure noneIsReading(const PressTrace& trace) {
 Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& s) {
   const auto wrong = [](Message what, double value, double least, double most) {
     return Failure{FailureCode::wrongUsage, "render", std::move(what),
-                   Message("%1 lies outside [%2, %3]", value, least, most), Message("Give a value inside")};
+                   Message("%1 lies outside %2 to %3", value, least, most),
+                   Message("Give a value inside this range")};
   };
   if (!(s.sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
         s.sampleRate_Hz <= HapticEngine::highestSampleRate_Hz)) {
     return wrong(Message("sample rate in Hz"), s.sampleRate_Hz, HapticEngine::lowestSampleRate_Hz,
                  HapticEngine::highestSampleRate_Hz);
   }
-  if (s.block < 1 || s.block > 8192) return wrong(Message("block"), static_cast<double>(s.block), 1, 8192);
-  if (!(s.tail_s >= 0 && s.tail_s <= 60)) return wrong(Message("tail in s"), s.tail_s, 0, 60);
+  if (s.block < 1 || s.block > 8192)
+    return wrong(Message("block length in samples"), static_cast<double>(s.block), 1, 8192);
+  if (!(s.tail_s >= 0 && s.tail_s <= 60)) return wrong(Message("time after the press in s"), s.tail_s, 0, 60);
   if (trace.readings.empty()) {
-    return Failure{FailureCode::wrongUsage, "press trace", "", Message("holds no reading"),
-                   Message("Give at least one")};
+    return Failure{FailureCode::wrongUsage, "press trace", "", Message("contains no readings"),
+                   Message("Give at least one reading")};
   }
   if (trace.readings.front().time_s > longestRender_s) return tooLong(trace);
   return Done{};

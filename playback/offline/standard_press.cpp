@@ -45,7 +45,7 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
         press.press_s + press.hold_s + press.release_s <= 600)) {
     return Failure{FailureCode::wrongUsage, "standard press", "",
                    Message("times, force or sensor rate lie outside their ranges"),
-                   Message("Give positive times of together at most 600 s")};
+                   Message("Give positive times that add up to at most 600 s")};
   }
   RenderSettings settings;
   settings.sampleRate_Hz = sampleRate_Hz;

@@ -97,7 +97,7 @@ bool hasPageEngine() { return !page_parts::engine.empty(); }
 
 Result<std::string> sharePage(const std::vector<Button>& buttons) {
   if (!hasPageEngine())
-    return unusable(Message("this build of Detent has no engine for browsers"),
+    return unusable(Message("this build of Detent cannot make a web page to press buttons on"),
                     Message("Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and "
                             "libclang-rt-14-dev-wasm32, then configure and build anew"));
   if (buttons.empty() || buttons.size() > mostButtons)

@@ -56,12 +56,12 @@ Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
                {"motor lag of the device in s", d.lag_s, 0, 0.1},
                {"steepest slope in N/mm", d.largestSlope_N_per_mm, 1e-3, 1e4},
                {"force limit in N", d.limits.force_N, 1e-3, 1000},
-               {"slew limit in N/s", d.limits.slew_N_per_s, 1, 1e7},
+               {"limit of force change in N/s", d.limits.slew_N_per_s, 1, 1e7},
                {"speed limit in mm/s", d.limits.speed_mm_per_s, 1, 1e5}};
   for (const auto& rule : rules) {
     if (rule.value >= rule.least && rule.value <= rule.most) continue;
     return outOfRange(rule.name, {}, Message("is %1", rule.value),
-                      Message("Give one from %1 to %2", rule.least, rule.most));
+                      Message("Give a value from %1 to %2", rule.least, rule.most));
   }
   return Done{};
 }
@@ -546,13 +546,14 @@ Result<Done> checkTravel(const ButtonState& state, const ForceDeviceProfile& dev
   if (!(travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm)) {
     return outOfRange(
         "travel of the button", place, Message("is %1", millimetres(travel_mm)),
-        Message("A force device can render %1 to %2; scale the button (edit it, or convert its graph)",
+        Message("A force device can produce %1 to %2; scale the button (edit it, or convert its graph)",
                 millimetres(shortestTravel_mm), millimetres(longestTravel_mm)));
   }
   if (end_mm > reach_mm) {
     return outOfRange(
         "travel of the button", place,
-        Message("ends at %1; %2 reaches %3", millimetres(end_mm), device.name, millimetres(reach_mm)),
+        Message("ends at %1, but %2 reaches only %3", millimetres(end_mm), device.name,
+                millimetres(reach_mm)),
         Message("Choose a device that reaches farther, or scale the button (edit it, or convert its graph)"));
   }
   return Done{};

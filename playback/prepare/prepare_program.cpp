@@ -48,9 +48,9 @@ Result<Done> checkBounds(const Subject& subject, std::initializer_list<Bound> bo
     const bool inside = b.value <= b.high && (b.lowIncluded ? b.value >= b.low : b.value > b.low);
     if (inside) continue;  // false for NaN
     return Failure{FailureCode::wrongUsage, subject, b.name,
-                   b.lowIncluded ? Message("%1 lies outside [%2, %3]", b.value, b.low, b.high)
-                                 : Message("%1 lies outside (%2, %3]", b.value, b.low, b.high),
-                   Message("Give a value inside")};
+                   b.lowIncluded ? Message("%1 lies outside %2 to %3", b.value, b.low, b.high)
+                                 : Message("%1 must be above %2 and at most %3", b.value, b.low, b.high),
+                   Message("Give a value inside this range")};
   }
   return Done{};
 }
@@ -79,10 +79,9 @@ class HapticPreparation {
     for (std::size_t i = 0; i < p.stateCount; ++i) prepareState(button_.states()[i], p.states[i]);
     if (!drowned_.empty()) {
       warn(PrepareWarningCode::clickDrowned,
-           Message(
-               "with the paper's levels the click drowns in slope or bottom-out, more than %1 dB below them "
-               "(jump at %2); --feel clear lets it through",
-               drownedBelow_dB, drowned_));
+           Message("at the levels of the published method, the click at %2 is masked: slope or bottom-out is "
+                   "over %1 dB stronger. Use --feel clear to keep the click",
+                   drownedBelow_dB, drowned_));
     }
     return std::move(prepared_);
   }
@@ -631,9 +630,10 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
       !gain)
     return gain;
   if (profile.equalizer.size() > maxEqualizerBands) {
-    return Failure{FailureCode::wrongUsage, "device profile", "equalizer",
-                   Message("%1 bands, at most %2", profile.equalizer.size(), maxEqualizerBands),
-                   Message("Keep the strongest bands")};
+    return Failure{
+        FailureCode::wrongUsage, "device profile", "equalizer",
+        Message("has %1 bands, but at most %2 are allowed", profile.equalizer.size(), maxEqualizerBands),
+        Message("Keep the strongest bands")};
   }
   for (const EqualizerBand& band : profile.equalizer) {
     if (Result<Done> ok =

@@ -34,7 +34,7 @@ int runDevices(bool json) {
   if (json) print({{"status", "ok"}, {"devices", list}});
   if (devices->empty()) {
     return fail({FailureCode::deviceTrouble, "sound devices", "", "none is there",
-                 "Connect one, or start a JACK server"});
+                 "Connect a sound device, or start a JACK server"});
   }
   return 0;
 }

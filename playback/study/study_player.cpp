@@ -96,19 +96,20 @@ Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings)
     return Failure{FailureCode::wrongUsage, "force device", "", std::move(problem), remedy};
   };
   if (!settings.sensorPort.empty())
-    return wrong(Message("presses by itself: a sensor would be a second finger"),
-                 Message("Leave one of both out"));
+    return wrong(Message("presses on its own; a sensor would be a second finger"),
+                 Message("Use only one of the two"));
   if (settings.force->uploadTable)
-    return wrong(Message("would run the one button that was uploaded; a study exchanges buttons"),
-                 Message("Choose it without uploading a table"));
+    return wrong(
+        Message("would play only the button that was uploaded, but a study switches between buttons"),
+        Message("Choose the device without uploading a table"));
   const bool modes = std::any_of(study.stimuli.begin(), study.stimuli.end(),
                                  [](const StudyStimulus& s) { return s.mode != FeedbackMode::full; });
   const LevelQuantity quantity = study.design.quantity;
   const bool vibration = study.design.kind == StudyKind::threshold &&
                          (quantity == LevelQuantity::eventSize || quantity == LevelQuantity::grainStrength);
   if (modes || vibration)
-    return wrong(Message("renders forces; this study compares what only a vibration has"),
-                 Message("Leave it out, or make a study of the mode full"));
+    return wrong(Message("produces forces, but this study compares what only a vibration has"),
+                 Message("Leave the force device out, or make a study of the mode full"));
   for (const StudyStimulus& stimulus : study.stimuli) {
     const Result<PreparedForce> prepared =
         prepareForce(study.buttons[stimulus.button].button, settings.force->profile);
@@ -371,7 +372,7 @@ Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
                                        std::move(force), settings);
   if (!made->runs())
     return Failure{FailureCode::deviceTrouble, settings.sensorPort, "", Message("sends no readings"),
-                   Message("Check the sensor, its cable and the port's speed")};
+                   Message("Check the sensor, its cable and the speed of the port")};
   return std::unique_ptr<StudyPlayer>(std::move(made));
 }
 

@@ -33,7 +33,7 @@ int writeWhole(int descriptor, const std::string& text) {
 Failure journalTrouble(const std::filesystem::path& file, Message what, int error) {
   return {FailureCode::unreadableInput, file.string(), "",
           Message("%1 (%2)", std::move(what), std::strerror(error)),
-          Message("Check the folder, its rights and the free space, then try again")};
+          Message("Check the folder, its permissions and the free space, then try again")};
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ bool JournalText::isForeign() const {
 
 Failure notAJournal(const std::filesystem::path& file) {
   return {FailureCode::unreadableInput, file.string(), Message("line 1"),
-          Message("is not a journal of a study"), Message("Take it away")};
+          Message("is not a journal of a study"), Message("Move this file out of the study")};
 }
 
 JournalText splitJournal(const std::string& text) {
@@ -83,7 +83,7 @@ Result<Done> LineJournal::readAndCut() {
   if (opened_.isForeign()) return notAJournal(file_);
   length_bytes_ = static_cast<std::int64_t>(text.size() - opened_.unfinished.size());
   if (!opened_.unfinished.empty() && ::ftruncate(descriptor_, length_bytes_) != 0)
-    return journalTrouble(file_, Message("cannot be cut back to its last whole line"), errno);
+    return journalTrouble(file_, Message("cannot be shortened to its last complete line"), errno);
   return Done{};
 }
 
@@ -96,7 +96,7 @@ Result<Done> LineJournal::append(const std::string& line) {
   }
   // If even this fails, the incomplete line is removed when the journal is opened again.
   if (::ftruncate(descriptor_, length_bytes_) == 0) ::fdatasync(descriptor_);
-  return journalTrouble(file_, Message("could not take one more line"), error);
+  return journalTrouble(file_, Message("could not be extended by one line"), error);
 }
 
 LineJournal::~LineJournal() {

@@ -100,7 +100,7 @@ Result<FeltButton> feel(const Button& button, const PerceptionSettings& settings
     for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
       if (cancelled && cancelled())
         return Failure{FailureCode::wrongUsage, button.name(), "", Message("was cancelled"),
-                       Message("Start it again")};
+                       Message("Start the step again")};
       Result<FeltPress> press = feelPress(program, i, settings);
       if (!press) return press.failure();
       feelForces(*press, button.states()[s].graph);

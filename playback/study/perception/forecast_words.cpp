@@ -18,7 +18,7 @@ Message cueOf(const PredictedPair& pair) {
     case Cue::travel:
       break;
   }
-  return Message("how far it seems to yield");
+  return Message("how far it seems to give way");
 }
 
 /// Share in whole per cent.
@@ -28,23 +28,23 @@ MessageValue percentOf(double probability) { return {std::round(100 * probabilit
 
 Message errorsOf(const PredictedPair& pair) {
   const long least = std::lround(pair.leastErrorsPer90()), most = std::lround(pair.mostErrorsPer90());
-  if (most == 0) return Message("hardly an error in 90");
-  if (least == most) return Message("about %1 errors in 90", most);
-  return Message("%1 to %2 errors in 90", least, most);
+  if (most == 0) return Message("almost no errors in 90 trials");
+  if (least == most) return Message("about %1 errors in 90 trials", most);
+  return Message("%1 to %2 errors in 90 trials", least, most);
 }
 
 Message verdictOf(const PredictedPair& pair) {
   switch (pair.verdict()) {
     case Verdict::distinguished:
-      return Message("people tell these apart: %1", errorsOf(pair));
+      return Message("people can tell these apart: %1", errorsOf(pair));
     case Verdict::notDistinguished:
-      return Message("people do not tell these apart: %1", errorsOf(pair));
+      return Message("people cannot tell these apart: %1", errorsOf(pair));
     case Verdict::undecided:
       break;
   }
-  return pair.probabilityApart >= 0.5 ? Message("people probably tell these apart (%1): %2",
+  return pair.probabilityApart >= 0.5 ? Message("people can probably tell these apart (%1): %2",
                                                 percentOf(pair.probabilityApart), errorsOf(pair))
-                                      : Message("people probably do not tell these apart (%1): %2",
+                                      : Message("people probably cannot tell these apart (%1): %2",
                                                 percentOf(1 - pair.probabilityApart), errorsOf(pair));
 }
 
@@ -63,8 +63,8 @@ Message shortVerdictOf(const PredictedPair& pair) {
 
 Message reasonOf(const PredictedPair& pair) {
   if (pair.dPrime <= 0) return Message("nothing differs");
-  return pair.onPress ? Message("most differs on the press: %1", cueOf(pair))
-                      : Message("most differs on the release: %1", cueOf(pair));
+  return pair.onPress ? Message("the largest difference is on the press: %1", cueOf(pair))
+                      : Message("the largest difference is on the release: %1", cueOf(pair));
 }
 
 }  // namespace detent::playback

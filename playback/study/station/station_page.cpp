@@ -31,7 +31,7 @@ Failure noStation(Message problem, const Message& remedy) {
 
 Result<Done> checkForBrowsers(const Study& study) {
   if (!hasStation())
-    return noStation(Message("this build of Detent has no engine for browsers"),
+    return noStation(Message("this build of Detent cannot make a web page to press buttons on"),
                      Message("Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and "
                              "libclang-rt-14-dev-wasm32, then configure and build anew"));
   if (!study.sites.empty())
@@ -39,10 +39,10 @@ Result<Done> checkForBrowsers(const Study& study) {
                      Message("Name the study of one site"));
   if (study.design.kind == StudyKind::timing)
     return noStation(Message("a timing study needs times that a browser does not give"),
-                     Message("Run it with study run or in detent-edit"));
+                     Message("Run the study with detent-play study run or in detent-edit"));
   if (study.profile)
     return noStation(Message("the study was made for a device profile, and a browser's device is unknown"),
-                     Message("Make a study without --profile, or run it with study run"));
+                     Message("Make a study without --profile, or run this one with detent-play study run"));
   return checkStimuli(study);
 }
 
@@ -60,15 +60,15 @@ Result<std::string> originOf(const std::string& address) {
                   address.begin() + static_cast<std::ptrdiff_t>(end), plain))
     return address.substr(0, end);
   return Failure{FailureCode::wrongUsage, Subject::option("--post"), "",
-                 Message("\"%1\" is no address of a web server", address),
-                 Message("Give one such as https://lab.example/answers")};
+                 Message("\"%1\" is not the address of a web server", address),
+                 Message("Give an address such as https://lab.example/answers")};
 }
 
 /// Records of the page's participants, each with a place: the planned one, or one after all who have begun.
 Result<std::vector<ParticipantRecord>> newPeople(const Study& study, const std::vector<std::string>& ids) {
   if (ids.empty() || ids.size() > mostPeople)
     return noStation(Message("a page is for 1 to %1 participants, not %2", mostPeople, ids.size()),
-                     Message("Name them with --participants, separated by commas"));
+                     Message("Name the participants with --participants, separated by commas"));
   const Result<PlannedPlaces> plan = placesOf(study.folder);
   if (!plan) return plan.failure();
   const Result<std::vector<ParticipantRecord>> begun = readParticipants(study);
@@ -79,10 +79,10 @@ Result<std::vector<ParticipantRecord>> newPeople(const Study& study, const std::
     Result<ParticipantRecord> person = ParticipantSession::toOpen(study, id, SessionStart{});
     if (!person) return person.failure();
     if (!person->plan.empty())
-      return noStation(Message("%1 has begun already", id), Message("Give another id"));
+      return noStation(Message("%1 has begun already", id), Message("Give another participant id"));
     if (!spoken.insert(spokenId(id)).second)
       return noStation(Message("%1 is named twice, or is too similar to another id", id),
-                       Message("Give ids that are read out differently"));
+                       Message("Give ids that sound different when read aloud"));
     person->place = placeOf(*plan, id, begun->size() + people.size());
     person->plan = planTrials(study, id, person->place);
     people.push_back(*std::move(person));

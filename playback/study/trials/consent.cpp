@@ -55,7 +55,7 @@ Result<ConsentText> readConsent(const std::string& file) {
                    Message("Save it as UTF-8")};
   if (text->find_first_not_of(" \t\r\n") == std::string::npos)
     return Failure{FailureCode::unreadableInput, file, "", Message("is empty"),
-                   Message("Write what participants are to agree to")};
+                   Message("Write the text that participants are asked to agree to")};
   const std::string hash = sha256Hex(*text);
   return ConsentText{languageOf(file), *std::move(text), hash};
 }
@@ -80,9 +80,9 @@ Result<ConsentText> consentIn(const fs::path& folder, const std::string& languag
   Result<ConsentText> found = readConsent((fs::exists(own, error) ? own : fileFor(folder, "")).string());
   if (found) found->language = language;
   if (found || fs::exists(fileFor(folder, ""), error) || fs::exists(own, error)) return found;
-  return Failure{FailureCode::unreadableInput, folder.string(), "",
-                 Message("has no consent text in \"%1\"", language),
-                 Message("Put %1 there, or choose another language", own.filename().string())};
+  return Failure{
+      FailureCode::unreadableInput, folder.string(), "", Message("has no consent text in \"%1\"", language),
+      Message("Put the file %1 into this folder, or choose another language", own.filename().string())};
 }
 
 Result<Done> recordDeclined(const fs::path& folder, const ConsentDecision& decision) {

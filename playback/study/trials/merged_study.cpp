@@ -41,11 +41,11 @@ Result<Done> checkSites(const std::vector<std::string>& sites, const fs::path& f
   std::set<std::string> names;
   for (const std::string& site : sites) {
     if (!checkParticipantId(site))
-      return cannotMerge(folder, Message("\"%1\" is no name of a site", site),
-                         Message("Give --sites of letters, digits, - and _"));
+      return cannotMerge(folder, Message("\"%1\" is not a site name", site),
+                         Message("Give --sites names made of letters, digits, - and _"));
     if (!names.insert(site).second)
       return cannotMerge(folder, Message("two sites are called \"%1\"", site),
-                         Message("Give --sites, a name for each study"));
+                         Message("Give --sites a different name for each study"));
   }
   return Done{};
 }
@@ -64,12 +64,13 @@ Result<Study> openSites(const std::vector<std::string>& sites, const fs::path& f
                          Message("Merge the studies of its sites"));
     if (!comparable(*merged, *study))
       return cannotMerge(siteFolder(folder, site),
-                         Message("asks for other answers, or of other buttons, than \"%1\"", sites.front()),
+                         Message("asks for other answers, or for other buttons, than \"%1\"", sites.front()),
                          Message("Merge copies of one study"));
     if (merged->unfinished != study->unfinished)
       return cannotMerge(
           siteFolder(folder, site),
-          Message("was planned with another rule for the unfinished than \"%1\"", sites.front()),
+          Message("was planned with another rule for participants who did not finish than \"%1\"",
+                  sites.front()),
           Message("Merge studies of one plan"));
   }
   merged->folder = folder;
@@ -88,7 +89,7 @@ Result<Study> mergeStudies(const std::vector<fs::path>& studies, std::vector<std
     for (const fs::path& study : studies) sites.push_back(fs::weakly_canonical(study).filename().string());
   if (sites.size() != studies.size())
     return cannotMerge(folder, Message("%1 names for %2 studies", sites.size(), studies.size()),
-                       Message("Give --sites a name for each"));
+                       Message("Give --sites one name for each study"));
   if (Result<Done> ok = checkSites(sites, folder); !ok) return ok.failure();
   fs::path draft = folder;
   draft += ".part";
@@ -97,7 +98,7 @@ Result<Study> mergeStudies(const std::vector<fs::path>& studies, std::vector<std
   for (std::size_t i = 0; i < studies.size() && !error; ++i)
     fs::copy(studies[i], siteFolder(draft, sites[i]), fs::copy_options::recursive, error);
   Result<Study> study = error ? Result<Study>(Failure{FailureCode::unreadableInput, folder.string(), "",
-                                                      Message("cannot be made (%1)", error.message()),
+                                                      Message("cannot be created (%1)", error.message()),
                                                       Message("Check the folders and the free space")})
                               : openSites(sites, draft);
   if (study) {
@@ -107,7 +108,7 @@ Result<Study> mergeStudies(const std::vector<fs::path>& studies, std::vector<std
     if (written) fs::rename(draft, folder, error);
     if (written && !error) return openStudy(folder);
     study = written ? Failure{FailureCode::unreadableInput, folder.string(), "",
-                              Message("cannot be made (%1)", error.message()),
+                              Message("cannot be created (%1)", error.message()),
                               Message("Check the folder above it")}
                     : written.failure();
   }

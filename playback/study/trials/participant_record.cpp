@@ -95,8 +95,8 @@ class Replay {
     ++line_;
     const std::optional<SplitLine> split = splitLine(line);
     if (!split || chainOf(chain_, split->body) != split->chain)
-      return wrong(Message("was changed by hand, or a line before it was"),
-                   Message("Restore the journal from a copy; its answers are not used as they stand"));
+      return wrong(Message("was changed by hand, or an earlier line was"),
+                   Message("Restore the journal from a copy; its answers are not used in this state"));
     chain_ = split->chain;
     const Json json = Json::parse(split->body);
     if (line_ == 1) return header(json);
@@ -106,8 +106,8 @@ class Replay {
     if (event == "answer") return answer(json);
     if (event == "interruption") return ++record_.interruptions, Done{};
     if (event == "end") return end(json);
-    return wrong(Message("holds an event \"%1\" this program does not know", event),
-                 Message("Use the program that wrote it"));
+    return wrong(Message("holds an event \"%1\" that this program does not know", event),
+                 Message("Use the program that wrote the journal"));
   }
 
   ParticipantRecord take() { return std::move(record_); }
@@ -119,12 +119,12 @@ class Replay {
  private:
   Result<Done> header(const Json& json) {
     if (json.at("format") != "detent-study-journal")
-      return wrong(Message("is not a journal of a study"), Message("Take it away"));
+      return wrong(Message("is not a journal of a study"), Message("Move this file out of the study"));
     if (const int version = json.at("version"); version != journalVersion)
-      return wrong(Message("is of version %1", version), Message("Use the program that wrote it"));
+      return wrong(Message("is of version %1", version), Message("Use the program that wrote the journal"));
     if (json.at("participant") != record_.participant)
       return wrong(Message("is the journal of %1", jsonText(json.at("participant"))),
-                   Message("Give the file its own name again"));
+                   Message("Give the file its original name again"));
     if (json.at("study_sha256") != study_.sha256)
       return wrong(Message("belongs to another study, or study.json was changed since"),
                    Message("Restore study.json, or move the journal to its own study"));
@@ -146,9 +146,9 @@ class Replay {
     const auto kind = sessionKinds.value(json.at("kind").get<std::string>());
     const auto listening = listenings.value(json.at("listening").get<std::string>());
     if (!kind || !listening)
-      return wrong(Message("knows a session that this program does not: %1, %2", jsonText(json.at("kind")),
-                           jsonText(json.at("listening"))),
-                   Message("Use the program that wrote it"));
+      return wrong(Message("names a session that this program does not know: %1, %2",
+                           jsonText(json.at("kind")), jsonText(json.at("listening"))),
+                   Message("Use the program that wrote the journal"));
     s.kind = *kind;
     s.listening = *listening;
     s.route = routeFrom(json);
@@ -181,7 +181,7 @@ class Replay {
       return wrong(Message("is an answer outside a session"), Message("Restore the journal"));
     const Trial* trial = record_.next();
     if (trial == nullptr || json.at("trial") != trial->number)
-      return wrong(Message("answers trial %1 out of its turn", jsonText(json.at("trial"))),
+      return wrong(Message("answers trial %1 out of order", jsonText(json.at("trial"))),
                    Message("Restore the journal"));
     takeLevel(json);
     const std::string chosen = json.at("answer");
@@ -221,7 +221,7 @@ class Replay {
     if (a.replays.size() > choices || a.felt.size() > choices)
       return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
     if (!kept || record_.sessions.back().kind != SessionKind::real || feltEnough(study_, a)) return Done{};
-    return wrong(Message("is an answer about something that was not felt"), Message("Restore the journal"));
+    return wrong(Message("is an answer about a button that was not felt"), Message("Restore the journal"));
   }
 
   bool timesFit(const Trial& trial, const Answer& a, const Json& json) const {
@@ -528,10 +528,12 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     if (!hadHead(lines)) return Done{};
-    return Failure{FailureCode::unreadableInput, journal.string(), "",
-                   Message("had a file \"%1\" beside it that is missing: its end may have been cut off",
-                           file.filename().string()),
-                   Message("Restore both from a copy")};
+    return Failure{
+        FailureCode::unreadableInput, journal.string(), "",
+        Message(
+            "lacks the file \"%1\", which was in its folder; the end of the journal may have been cut off",
+            file.filename().string()),
+        Message("Restore both files from a copy")};
   }
   const Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
@@ -540,13 +542,14 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::string chain;
   if (!(head >> count))
     return Failure{FailureCode::unreadableInput, file.string(), "",
-                   Message("does not record the length of the journal"), Message("Restore both from a copy")};
+                   Message("does not record the length of the journal"),
+                   Message("Restore both files from a copy")};
   head >> chain;
   if (count <= lines.size() &&
       chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)
     return Done{};
   return Failure{FailureCode::unreadableInput, journal.string(), "",
-                 Message("held %1 lines when it was last written, and these are not all there", count),
+                 Message("should have %1 lines, but some of them are missing", count),
                  Message("Restore the journal from a copy")};
 }
 

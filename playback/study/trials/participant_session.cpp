@@ -28,14 +28,14 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
     return Failure{
         FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
         simulated ? Message("already has simulated answers") : Message("already has answers of a person"),
-        Message("Give another id")};
+        Message("Give another participant id")};
   }
   if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
     return Failure{FailureCode::wrongUsage, Subject::option("--condition"), record.participant,
-                   Message("has used the condition \"%1\" so far, not \"%2\"",
+                   Message("has used the listening condition \"%1\" so far, not \"%2\"",
                            Message::of(nameOf(record.sessions.back().listening), {}),
                            Message::of(nameOf(start.listening), {})),
-                   Message("Go on in the same condition, or give another id")};
+                   Message("Go on in the same condition, or give another participant id")};
   return Done{};
 }
 
@@ -44,7 +44,7 @@ Result<std::size_t> othersIn(const Study& study, const std::string& participant)
   if (!study.sites.empty())
     return Failure{FailureCode::wrongUsage, study.folder.string(), "",
                    Message("is the merged study of several sites: nobody answers in it"),
-                   Message("Run the study of one site, and merge anew")};
+                   Message("Run the study of one site, then merge again")};
   std::size_t others = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(study.folder / "participants", error)) {
@@ -54,7 +54,7 @@ Result<std::size_t> othersIn(const Study& study, const std::string& participant)
     if (spokenId(id) == spokenId(participant))
       return Failure{FailureCode::wrongUsage, Subject::option("--participant"), participant,
                      Message("is too similar to \"%1\", who is already in the study", id),
-                     Message("Give an id that is read out differently")};
+                     Message("Give an id that sounds different when read aloud")};
   }
   return others;
 }
@@ -140,12 +140,12 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
                        : Message("Give 1, 2, 3, 4, 5, 6 or 7")};
   if (!pressesFit(*study_, *shown, answer))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   Message("holds no press at a time that counts"),
-                   Message("Press at the cue; in tapping, at least twice")};
+                   Message("has no press within the time that counts"),
+                   Message("Press at the cue; in tapping, press at least twice")};
   if (record_.sessions.back().kind == SessionKind::real && !feltEnough(*study_, answer))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   Message("is about something that was not felt"),
-                   Message("Press X and what it is compared with to the end, then answer")};
+                   Message("is about a button that was not felt"),
+                   Message("Press X and the button that it is compared with to the end, then answer")};
   std::string chain = chain_;
   const std::string line = answerLine(*study_, *shown, answer, chain);
   if (Result<Done> ok = append(line, chain); !ok) return ok;
@@ -306,10 +306,11 @@ Result<Simulation> pressesFrom(const std::string& file, const std::string& name)
   std::optional<std::vector<std::size_t>> columns;
   if (table.next()) columns = table.columns({"trial", "press_s"});
   const auto refused = [&](Message problem) {
-    return Failure{FailureCode::unreadableInput, file, table.place(), std::move(problem),
-                   Message("Give trial,press_s, one row for each press, in seconds behind the cue")};
+    return Failure{
+        FailureCode::unreadableInput, file, table.place(), std::move(problem),
+        Message("Give the columns trial,press_s: one row for each press, in seconds after the cue")};
   };
-  if (!columns) return refused(Message("does not name trial and press_s"));
+  if (!columns) return refused(Message("does not have the columns trial and press_s"));
   Simulation simulation;
   simulation.name = name;
   while (table.next()) {
@@ -357,20 +358,21 @@ Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
   const bool timed = simulation.timing || !simulation.presses_s.empty();
   if (timed != (study.design.kind == StudyKind::timing))
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   timed ? Message("presses answer timing studies only") : Message("answers no timing study"),
+                   timed ? Message("recorded presses can answer only timing studies")
+                         : Message("cannot answer a timing study"),
                    timed ? Message("Give guess, perfect or errors=P")
                          : Message("Give timing=PLACE,SPREAD or presses=FILE")};
   if (simulation.timing && study.design.task == TimingTask::tapping && simulation.timing->place < 0.01)
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   Message("a place of tapping is the seconds between presses"),
-                   Message("Give 0.01 or more")};
+                   Message("in tapping, PLACE is the time between presses in seconds"),
+                   Message("Give a time of 0.01 s or more")};
   if (simulation.dPrime && study.design.kind != StudyKind::sameDifferent)
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   Message("a d' answers same/different studies only"),
+                   Message("d' can answer only same/different studies"),
                    Message("Give guess, perfect or errors=P")};
   if (simulation.threshold == 0 || study.design.kind == StudyKind::threshold) return Done{};
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                 Message("a threshold answers threshold studies only"),
+                 Message("a threshold can answer only threshold studies"),
                  Message("Give guess, perfect or errors=P")};
 }
 

@@ -20,7 +20,7 @@ constexpr int planVersion = 1;
 
 Failure brokenPlan(const fs::path& file, Message problem) {
   return {FailureCode::unreadableInput, file.string(), "", std::move(problem),
-          Message("Restore it from a copy, or plan anew before the first person comes")};
+          Message("Restore the file from a copy, or plan again before the first participant begins")};
 }
 
 }  // namespace
@@ -41,12 +41,14 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-plan" || json.at("version") != planVersion)
-      return brokenPlan(file, Message("is not a plan this program knows"));
+      return brokenPlan(file, Message("is not a plan that this program knows"));
     PlannedPlaces plan;
     plan.listsSha256 = json.at("lists_sha256");
     if (json.contains("unfinished")) {  // plans of version 1 may lack it
       const auto rule = unfinishedRules.value(json.at("unfinished").get<std::string>());
-      if (!rule) return brokenPlan(file, Message("has a rule for the unfinished that does not exist"));
+      if (!rule)
+        return brokenPlan(file,
+                          Message("has a rule for participants who did not finish that does not exist"));
       plan.unfinished = *rule;
     }
     for (const Json& id : json.at("participants")) plan.participants.push_back(id.get<std::string>());

@@ -41,7 +41,7 @@ Failure wrongOption(const char* option, Message problem, const Message& remedy) 
 
 Failure outside(const char* option, std::size_t value, std::size_t least, std::size_t most) {
   return wrongOption(option, Message("%1 lies outside %2 to %3", value, least, most),
-                     Message("Give a number inside"));
+                     Message("Give a number inside this range"));
 }
 
 Failure unreadable(const fs::path& file, Message problem, Remedies remedies) {
@@ -82,11 +82,11 @@ Result<Done> checkLevelsDiffer(const Study& study) {
   for (const StudyLevel& level : study.levels)
     for (const FeedbackMode mode : study.design.modes)
       if (hashIn(level.button, mode) == hashIn(level.reference, mode))
-        return wrongOption(
-            "--quantity",
-            Message("\"%1\" (%2) feels the same with more of \"%3\"", study.buttons[level.reference].label,
-                    Message::of(nameOf(mode), {}), Message::of(nameOf(study.design.quantity), {})),
-            Message("Choose another quantity, mode, button or feel"));
+        return wrongOption("--quantity",
+                           Message("in \"%1\" (%2), more of \"%3\" makes no difference to the feel",
+                                   study.buttons[level.reference].label, Message::of(nameOf(mode), {}),
+                                   Message::of(nameOf(study.design.quantity), {})),
+                           Message("Choose another quantity, mode, button or kind of feel"));
   return Done{};
 }
 
@@ -140,8 +140,8 @@ Json jsonOf(const Study& study) {
 
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
   if (const auto mode = feedbackModes.value(name); mode && *mode != FeedbackMode::off) return *mode;
-  return unreadable(file, Message("knows a mode \"%1\" that does not exist", name),
-                    Message("Restore the file as it was made"));
+  return unreadable(file, Message("names a mode \"%1\" that does not exist", name),
+                    Message("Restore the original file"));
 }
 
 /// The study in study.json, without the files of its buttons. Throws nlohmann's exceptions.
@@ -153,39 +153,40 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   study.version = json.at("version");
   if (study.version < 1 || study.version > studyVersion)
     return unreadable(
-        file, Message("is a study of version %1, this program knows 1 to %2", study.version, studyVersion),
+        file, Message("is a study of version %1; this program knows 1 to %2", study.version, studyVersion),
         Message("Use the program that made it"));
   if (json.at("generator") != generatorName)
-    return unreadable(file, Message("was shuffled by %1", jsonText(json.at("generator"))),
-                      Message("Use the program that made it"));
+    return unreadable(
+        file, Message("has an order of questions that was made by %1", jsonText(json.at("generator"))),
+        Message("Use the program that made it"));
   study.program = json.at("program");
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
   const auto known = studyKinds.value(kind);
   if (!known)
-    return unreadable(file, Message("knows a kind \"%1\" that does not exist", kind),
-                      Message("Restore the file as it was made"));
+    return unreadable(file, Message("names a kind \"%1\" that does not exist", kind),
+                      Message("Restore the original file"));
   d.kind = *known;
   if (d.kind == StudyKind::threshold) {
     const auto quantity = levelQuantities.value(json.at("quantity").get<std::string>());
     if (!quantity)
       return unreadable(file,
-                        Message("knows a quantity %1 that does not exist", jsonText(json.at("quantity"))),
-                        Message("Restore the file as it was made"));
+                        Message("names a quantity %1 that does not exist", jsonText(json.at("quantity"))),
+                        Message("Restore the original file"));
     d.quantity = *quantity;
   }
   if (d.kind == StudyKind::rating) {
     const auto scale = ratingScales.value(json.at("scale").get<std::string>());
     if (!scale)
-      return unreadable(file, Message("knows a scale %1 that does not exist", jsonText(json.at("scale"))),
-                        Message("Restore the file as it was made"));
+      return unreadable(file, Message("names a scale %1 that does not exist", jsonText(json.at("scale"))),
+                        Message("Restore the original file"));
     d.scale = *scale;
   }
   if (d.kind == StudyKind::timing) {
     const auto task = timingTasks.value(json.at("task").get<std::string>());
     if (!task)
-      return unreadable(file, Message("knows a task %1 that does not exist", jsonText(json.at("task"))),
-                        Message("Restore the file as it was made"));
+      return unreadable(file, Message("names a task %1 that does not exist", jsonText(json.at("task"))),
+                        Message("Restore the original file"));
     d.task = *task;
     if (d.task == TimingTask::tapping)
       d.run_s = json.at("run_s");
@@ -197,8 +198,8 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   if (study.version > 2) {
     const auto feel = feels.value(json.at("feel").get<std::string>());
     if (!feel)
-      return unreadable(file, Message("knows a feel %1 that does not exist", jsonText(json.at("feel"))),
-                        Message("Restore the file as it was made"));
+      return unreadable(file, Message("names a feel %1 that does not exist", jsonText(json.at("feel"))),
+                        Message("Restore the original file"));
     d.feel = *feel;
   }
   if (json.contains("sound")) {
@@ -230,15 +231,15 @@ Result<Done> readLevels(Study& study, const Json& json) {
     while (reference < given && study.buttons[reference].label != label) ++reference;
     if (reference == given)
       return unreadable(study.folder / "study.json",
-                        Message("has levels of a button \"%1\" it does not hold", label),
-                        Message("Restore the file as it was made"));
+                        Message("has levels of a button \"%1\" that is not in the study", label),
+                        Message("Restore the original file"));
     if (Result<Done> ok = addLevel(study, reference, entry.at("increase")); !ok) return ok;
   }
   for (std::size_t reference = 0; reference < given; ++reference)
     if (increasesOf(study, reference).size() < 2)
       return unreadable(study.folder / "study.json",
-                        Message("has no levels of button \"%1\"", study.buttons[reference].label),
-                        Message("Restore the file as it was made"));
+                        Message("has no levels of the button \"%1\"", study.buttons[reference].label),
+                        Message("Restore the original file"));
   return Done{};
 }
 
@@ -252,7 +253,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     const std::string hash = sha256Hex(*text);
     if (entry.at("sha256") != hash)
       return unreadable(file, Message("was changed after the study was made"),
-                        Message("Restore it, or make a new study with the changed button"));
+                        Message("Restore the file, or make a new study with the changed button"));
     Result<Button> button = buttonFromJson(*text, file);
     if (!button) return button.failure();
     study.buttons.push_back({label, hash, *std::move(button)});
@@ -263,7 +264,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!text) return text.failure();
     if (sha256Hex(*text) != study.profileSha256)
       return unreadable(file, Message("was changed after the study was made"),
-                        Message("Restore it, or make a new study"));
+                        Message("Restore the file, or make a new study"));
     Result<DeviceProfile> profile = parseDeviceProfile(*text, file.string());
     if (!profile) return profile.failure();
     study.profile = *std::move(profile);
@@ -274,7 +275,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!bytes) return bytes.failure();
     if (sha256Hex(*bytes) != study.design.sound.sha256)
       return unreadable(file, Message("was changed after the study was made"),
-                        Message("Restore it, or make a new study"));
+                        Message("Restore the file, or make a new study"));
   }
   if (Result<Done> ok = readLevels(study, json); !ok) return ok;
   for (const Json& entry : json.at("stimuli")) {
@@ -285,8 +286,8 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!mode) return mode.failure();
     if (at == study.buttons.end())
       return unreadable(study.folder / "study.json",
-                        Message("speaks of a button \"%1\" it does not hold", label),
-                        Message("Restore the file as it was made"));
+                        Message("names a button \"%1\" that is not in the study", label),
+                        Message("Restore the original file"));
     study.stimuli.push_back(
         {static_cast<std::size_t>(at - study.buttons.begin()), *mode, entry.at("sha256")});
   }
@@ -295,9 +296,9 @@ Result<Done> readParts(Study& study, const Json& json) {
       if (std::none_of(study.stimuli.begin(), study.stimuli.end(),
                        [&](const StudyStimulus& s) { return s.button == b && s.mode == mode; }))
         return unreadable(study.folder / "study.json",
-                          Message("does not say how button \"%1\" feels (%2)", study.buttons[b].label,
+                          Message("does not record how the button \"%1\" feels (%2)", study.buttons[b].label,
                                   Message::of(nameOf(mode), {})),
-                          Message("Restore the file as it was made"));
+                          Message("Restore the original file"));
     }
   }
   return Done{};
@@ -314,7 +315,7 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
     if (!isUtf8(label))  // the label is stored in study.json, and names the study's copy of the file
       return wrong(file, Message("has a name that is not UTF-8"), Message("Rename the file"));
     if (!labels.insert(label).second)
-      return wrong(file, Message("is the second button called \"%1\"", label),
+      return wrong(file, Message("is the second button with the name \"%1\"", label),
                    Message("Rename one of the files"));
     study.buttons.push_back({label, sha256Hex(*text), *std::move(button)});
   }
@@ -334,8 +335,8 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
   if (!profileFile.empty()) copy(profileFile, folder / "device.device");
   if (!soundFile.empty()) copy(soundFile, folder / study.design.sound.source);
   if (error)
-    return unreadable(folder, Message("cannot be made (%1)", error.message()),
-                      Message("Check the folder, its rights and the free space"));
+    return unreadable(folder, Message("cannot be created (%1)", error.message()),
+                      Message("Check the folder, its permissions and the free space"));
   if (Result<Done> ok = writeConsents(folder, study.design.consents); !ok) return ok;
   return writeTextFileAtomically((folder / "study.json").string(), jsonText(jsonOf(study), 2) + "\n");
 }
@@ -357,7 +358,7 @@ Result<Done> checkParticipantId(const std::string& id) {
   if (plain && !id.empty() && id.size() <= longest && id.front() != '-') return Done{};
   return wrongOption(
       "--participant", Message("\"%1\" is not a participant's id", id),
-      Message("Give 1 to %1 letters, digits, - or _, such as P01; no name of a person", longest));
+      Message("Give 1 to %1 letters, digits, - or _, such as P01, but no name of a person", longest));
 }
 
 std::string spokenId(const std::string& id) {
@@ -407,22 +408,23 @@ Result<Done> checkTimes(const StudyDesign& d) {
     if (d.run_s >= shortestRun_s && d.run_s <= longestRun_s) return Done{};
     return wrongOption("--run-seconds",
                        Message("%1 lies outside %2 to %3", d.run_s, shortestRun_s, longestRun_s),
-                       Message("Give a number inside"));
+                       Message("Give a number inside this range"));
   }
   if (!eachOnceWithin(d.intervals_s, leastInterval_s, mostInterval_s))
-    return wrongOption(
-        "--intervals",
-        Message("none, too many, one twice or outside %1 to %2 s", leastInterval_s, mostInterval_s),
-        Message("Give 1 to %1 of them", mostTimes));
+    return wrongOption("--intervals",
+                       Message("no time is given, too many, the same one twice, or one outside %1 to %2 s",
+                               leastInterval_s, mostInterval_s),
+                       Message("Give 1 to %1 different times", mostTimes));
   if (d.task == TimingTask::cue) return Done{};
   const double least = *std::min_element(d.intervals_s.begin(), d.intervals_s.end());
   if (eachOnceWithin(d.windows_s, leastWindow_s, mostWindow_s) &&
       *std::max_element(d.windows_s.begin(), d.windows_s.end()) < least)
     return Done{};
   return wrongOption("--windows",
-                     Message("none, too many, one twice, outside %1 to %2 s, or as long as an interval",
+                     Message("no time is given, too many, the same one twice, one outside %1 to %2 s, or one "
+                             "as long as an interval",
                              leastWindow_s, mostWindow_s),
-                     Message("Give 1 to %1, each shorter than the shortest interval", mostTimes));
+                     Message("Give 1 to %1 times, each shorter than the shortest interval", mostTimes));
 }
 
 }  // namespace
@@ -431,24 +433,24 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   const bool oneWillDo = d.kind == StudyKind::threshold || d.kind == StudyKind::timing ||
                          (d.kind == StudyKind::rating && d.scale != RatingScale::pairwise);
   if (buttons == 0 && oneWillDo)
-    return wrong("study", Message("has no button"), Message("Give at least one"));
+    return wrong("study", Message("has no button"), Message("Give at least one button"));
   if (buttons == 0 || (buttons == 1 && !oneWillDo))
     return wrong("study", buttons == 1 ? Message("has 1 button") : Message("has no button"),
-                 Message("Give at least two"));
+                 Message("Give at least two buttons"));
   if (buttons > mostButtons)
     return wrong("study", Message("has %1 buttons", buttons), Message("Give at most %1", mostButtons));
   if (d.trials < 1 || d.trials > mostTrials) return outside("--trials", d.trials, 1, mostTrials);
   if (d.practice > mostPractice) return outside("--practice", d.practice, 0, mostPractice);
   const std::size_t pairs = buttons * (buttons - 1) / 2;
   if (d.pairsEach > 0 && !asksForPairs(d))
-    return wrongOption("--pairs-each", Message("has no meaning in a study without pairs"),
-                       Message("Leave it out"));
+    return wrongOption("--pairs-each", Message("cannot be used in a study without pairs"),
+                       Message("Leave this option out"));
   if (d.pairsEach > pairs)
-    return wrongOption("--pairs-each", Message("%1 of %2 pairs", d.pairsEach, pairs),
-                       Message("Give fewer, or 0 for all"));
+    return wrongOption("--pairs-each", Message("asks for %1 of %2 pairs", d.pairsEach, pairs),
+                       Message("Give fewer pairs, or 0 for all pairs"));
   if (d.modes.empty() || std::set<FeedbackMode>(d.modes.begin(), d.modes.end()).size() != d.modes.size())
-    return wrongOption("--modes", Message("none, or one twice"),
-                       Message("Choose at least one, each at most once"));
+    return wrongOption("--modes", Message("no mode is given, or the same one twice"),
+                       Message("Choose at least one mode, each only once"));
   if (std::find(d.modes.begin(), d.modes.end(), FeedbackMode::off) != d.modes.end())
     return wrongOption("--modes", Message("\"off\" cannot be felt"),
                        Message("Give full, click-only or slope-only"));
@@ -458,11 +460,11 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
     return wrongOption(
         "--sound-level",
         Message("%1 lies outside %2 to %3", d.sound.level_dB, softestSound_dB, loudestSound_dB),
-        Message("Give a number inside"));
+        Message("Give a number inside this range"));
   if (!(d.sound.delay_ms >= 0 && d.sound.delay_ms <= longestSoundDelay_ms))
     return wrongOption("--sound-delay",
                        Message("%1 lies outside %2 to %3", d.sound.delay_ms, 0, longestSoundDelay_ms),
-                       Message("Give a number inside"));
+                       Message("Give a number inside this range"));
   return d.kind == StudyKind::timing ? checkTimes(d) : Result<Done>(Done{});
 }
 
@@ -543,7 +545,7 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
       writeFolderToDisk(folder);
       return openStudy(folder);
     }
-    written = unreadable(folder, Message("cannot be made (%1)", error.message()),
+    written = unreadable(folder, Message("cannot be created (%1)", error.message()),
                          Message("Check the folder above it"));
   }
   fs::remove_all(draft, error);
@@ -555,12 +557,12 @@ Result<Study> openStudy(const fs::path& folder) {
   Result<std::string> text = readTextFile(file);
   if (!text)
     return unreadable(folder, Message("is not a study: study.json %1", text.failure().problem),
-                      Message("Make one with detent-play study new, or name its folder"));
+                      Message("Make a study with detent-play study new, or name the folder of a study"));
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") == "detent-merged-study") {
       if (json.at("version") != 1 || json.at("sites").empty())
-        return unreadable(file, Message("names no sites this program knows"),
+        return unreadable(file, Message("names no sites that this program knows"),
                           Message("Use the program that made it"));
       Result<Study> merged = openSites(json.at("sites").get<std::vector<std::string>>(), folder);
       if (merged) merged->sha256 = sha256Hex(*text);
@@ -574,13 +576,13 @@ Result<Study> openStudy(const fs::path& folder) {
     if (Result<Done> ok = readParts(*study, json); !ok) return ok.failure();
     if (Result<Done> ok = checkDesign(study->design, study->givenButtons()); !ok)
       return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
-                        Message("Restore the file as it was made"));
+                        Message("Restore the original file"));
     const Result<PlannedPlaces> plan = placesOf(folder);
     if (!plan) return plan.failure();
     study->unfinished = plan->unfinished;
     return study;
   } catch (const Json::exception& fault) {
-    return unreadable(file, Message("is broken (%1)", fault.what()), Message("Restore it from a copy"));
+    return unreadable(file, Message("is broken (%1)", fault.what()), Message("Restore the file from a copy"));
   }
 }
 

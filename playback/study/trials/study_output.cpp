@@ -249,8 +249,8 @@ Result<Done> makeFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (!error) return Done{};
   return Failure{FailureCode::unreadableInput, folder.string(), "",
-                 Message("cannot be made (%1)", error.message()),
-                 Message("Check the folder, its rights and the free space")};
+                 Message("cannot be created (%1)", error.message()),
+                 Message("Check the folder, its permissions and the free space")};
 }
 
 /// 1 or 0; `nothing` for kinds without a right answer.

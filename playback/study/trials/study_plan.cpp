@@ -540,8 +540,8 @@ Result<Done> checkNobodyBegan(const Study& study) {
   std::error_code error;
   if (study.sites.empty() && (fs::is_empty(study.folder / "participants", error) || error)) return Done{};
   return Failure{FailureCode::wrongUsage, study.folder.string(), "",
-                 Message("has a participant already: a plan made now could not be kept to"),
-                 Message("Plan before the first person comes, or make a new study")};
+                 Message("already has a participant, so it is too late for a plan"),
+                 Message("Plan before the first participant begins, or make a new study")};
 }
 
 }  // namespace
@@ -560,8 +560,8 @@ Result<std::string> writeLists(const Study& study, const PlannedPlaces& plan, co
   fs::create_directories(folder, error);
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
-                   Message("cannot be made (%1)", error.message()),
-                   Message("Check the folder above it and its rights")};
+                   Message("cannot be created (%1)", error.message()),
+                   Message("Check the folder above it and its permissions")};
   std::string all;
   for (std::size_t place = 0; place < plan.participants.size(); ++place) {
     const std::string& id = plan.participants[place];

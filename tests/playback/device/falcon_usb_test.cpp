@@ -117,7 +117,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
   FalconRig rig;
   auto none = openFalcon(settingsWith({}));
   REQUIRE_FALSE(none);
-  CHECK(english(none.failure().problem) == "has no firmware since it was switched on");
+  CHECK(english(none.failure().problem) == "was switched on and has no firmware yet");
   rig.badEchoes = 2;
   {
     auto device = opened();
@@ -130,7 +130,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
   rig.badEchoes = 1000;
   auto never = openFalcon(settingsWith(anyFalconFirmware()));
   REQUIRE_FALSE(never);
-  CHECK(english(never.failure().problem) == "does not take the firmware; tried 10 times");
+  CHECK(english(never.failure().problem) == "does not accept the firmware; tried 10 times");
 }
 
 TEST_CASE("Falcon: until it knows where it is, there are no readings and no force") {

@@ -72,7 +72,7 @@ TEST_CASE(
       if (!fitted) {
         ++refused;
         CHECK(fitted.failure().code == FailureCode::deviceTrouble);
-        CHECK(fitted.failure().sentence().find("would carry it") != std::string::npos);
+        CHECK(fitted.failure().sentence().find("would be stable") != std::string::npos);
         CHECK(fitted.failure().sentence().find(" 0 mm") == std::string::npos);
         continue;
       }
@@ -90,7 +90,7 @@ TEST_CASE("fitted force: the friction that a refusal names carries the button") 
   ForceDeviceProfile device = measuredHandle(0.05, 0, 5e-5, 0.038);
   const Result<FittedForce> refused = kept(linearButton(), device);
   REQUIRE_FALSE(refused);
-  const std::string said = refused.failure().sentence(), before = "Friction of ";
+  const std::string said = refused.failure().sentence(), before = "friction of ";
   REQUIRE(said.find(before) != std::string::npos);
   device.friction_N = std::stod(said.substr(said.find(before) + before.size()));
   CHECK(device.friction_N > 0);
@@ -118,12 +118,12 @@ TEST_CASE("fitted force: a slow link is put down to this computer or to the devi
   pace.roundTrip_s = 0.008;
   pace.computer_s = 0.006;
   const std::string busy = tooSteepFor(simulatedDevice(), pace, least, 0.5).sentence();
-  CHECK(busy.find("This computer is late: it takes 6 ms") != std::string::npos);
-  CHECK(busy.find("device is late") == std::string::npos);
+  CHECK(busy.find("This computer is too slow: it takes 6 ms") != std::string::npos);
+  CHECK(busy.find("device is too slow") == std::string::npos);
   pace.computer_s = 0.0002;
   const std::string slow = tooSteepFor(simulatedDevice(), pace, least, 0.5).sentence();
-  CHECK(slow.find("The device is late") != std::string::npos);
-  CHECK(slow.find("computer is late") == std::string::npos);
+  CHECK(slow.find("The device is too slow") != std::string::npos);
+  CHECK(slow.find("computer is too slow") == std::string::npos);
 }
 
 TEST_CASE("a link is measured with the priority that the loop will have") {

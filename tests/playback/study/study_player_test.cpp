@@ -33,7 +33,7 @@ TEST_CASE("a force device that runs one uploaded button is in no study", "[study
   const auto player = StudyPlayer::start(*made.study, settings);
   REQUIRE_FALSE(player);
   CHECK(player.failure().code == FailureCode::wrongUsage);
-  CHECK_THAT(player.failure().sentence(), Catch::Contains("a study exchanges buttons"));
+  CHECK_THAT(player.failure().sentence(), Catch::Contains("a study switches between buttons"));
   CHECK_THAT(player.failure().sentence(), Catch::Contains("without uploading"));
 }
 

@@ -275,13 +275,14 @@ TEST_CASE("confusion: a verdict's sentence says how sure it is") {
     p.mostShareOfErrors = most / 90;
     return p;
   };
-  CHECK(english(verdictOf(pair(0.95, 0, 7))) == "people tell these apart: 0 to 7 errors in 90");
+  CHECK(english(verdictOf(pair(0.95, 0, 7))) == "people can tell these apart: 0 to 7 errors in 90 trials");
   CHECK(english(verdictOf(pair(0.7, 2, 17))) ==
-        "people probably tell these apart (70 %): 2 to 17 errors in 90");
+        "people can probably tell these apart (70 %): 2 to 17 errors in 90 trials");
   CHECK(english(verdictOf(pair(0.3, 5.2, 36))) ==
-        "people probably do not tell these apart (70 %): 5 to 36 errors in 90");
-  CHECK(english(verdictOf(pair(0.05, 12, 40))) == "people do not tell these apart: 12 to 40 errors in 90");
-  CHECK(english(errorsOf(pair(1, 0, 0.2))) == "hardly an error in 90");
+        "people probably cannot tell these apart (70 %): 5 to 36 errors in 90 trials");
+  CHECK(english(verdictOf(pair(0.05, 12, 40))) ==
+        "people cannot tell these apart: 12 to 40 errors in 90 trials");
+  CHECK(english(errorsOf(pair(1, 0, 0.2))) == "almost no errors in 90 trials");
 }
 
 TEST_CASE("confusion: the order of pairs states how likely each is more confused than the next") {

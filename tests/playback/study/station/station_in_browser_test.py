@@ -393,8 +393,8 @@ class Station(unittest.TestCase):
         out = self.folder / "out.html"
         for folder, options, word in ((study, ("--participants", "P01"), "already has simulated answers"), (study, ("--participants", "P02,p-2"), "named twice"),
                                       (study, ("--participants", "P 2"), "is not a participant's id"), (timed, ("--participants", "P01"), "timing study"),
-                                      (study, ("--participants", "P02", "--post", "lab.example"), "no address"),
-                                      (study, ("--participants", "P02", "--post", "https://a b/"), "no address")):
+                                      (study, ("--participants", "P02", "--post", "lab.example"), "not the address"),
+                                      (study, ("--participants", "P02", "--post", "https://a b/"), "not the address")):
             self.assertIn(word, play("study", "station", folder, *options, "-o", out, code=2).stderr)
             self.assertFalse(out.exists())
 

@@ -69,7 +69,7 @@ TEST_CASE("every quantity has levels, and each of them feels otherwise") {
     StudyDesign design = thresholds(quantity);
     // With the usual feel the slope's level follows from the weakest jump, whatever the grains' strength.
     if (quantity == LevelQuantity::grainStrength) {
-      CHECK_THROWS_WITH(StudyFolder(design, {"C"}), Catch::Contains("feels the same"));
+      CHECK_THROWS_WITH(StudyFolder(design, {"C"}), Catch::Contains("makes no difference to the feel"));
       design.feel = Feel::paper;
     }
     const StudyFolder folder(design, {"C", "D"});
@@ -93,7 +93,7 @@ TEST_CASE("every quantity has levels, and each of them feels otherwise") {
 TEST_CASE("a quantity that a button has nothing of is refused") {
   StudyDesign design = thresholds(LevelQuantity::grainStrength);
   design.modes = {FeedbackMode::clickOnly};
-  CHECK_THROWS_WITH(StudyFolder(design, {"C"}), Catch::Contains("feels the same"));
+  CHECK_THROWS_WITH(StudyFolder(design, {"C"}), Catch::Contains("makes no difference to the feel"));
 }
 
 TEST_CASE("what has more stands first as often as second, and its level follows the answers") {
@@ -357,7 +357,7 @@ TEST_CASE("answers off their list or scale are refused when a journal is read") 
   CHECK_THAT(record.failure().sentence(), Catch::Contains("line 3"));
 }
 
-TEST_CASE("a threshold answers threshold studies only") {
+TEST_CASE("a threshold can answer only threshold studies") {
   const StudyFolder folder(ratings(RatingScale::preference), {"A"});
   const Result<Simulation> simulation = simulationNamed("threshold=0.1");
   REQUIRE(simulation);
