@@ -50,7 +50,7 @@ DisplacementForceView::DisplacementForceView(ButtonDocument& document, ViewSetti
     : UnitPlot(settings, PlotQuantity::force, PlotQuantity::displacement, parent), canvas_(canvas) {
   setObjectName(QStringLiteral("displacementForceView"));
   setAccessibleName(tr("Displacement over force"));
-  setToolTip(tr("What a finger feels that controls force: jumps appear as vertical lines."));
+  setToolTip(tr("What a finger feels when it controls the force. Jumps appear as vertical lines."));
   const auto follow = [this, &document] {
     // A view that rescales during a drag is hard to read and slow.
     if (fitted() && isVisible() && !document.history().dragging()) fit();

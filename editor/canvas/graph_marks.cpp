@@ -106,12 +106,14 @@ QString nameOf(MarkId id) {
       return (press ? tr("Valley or peak %1 of the press") : tr("Valley or peak %1 of the release"))
           .arg(number);
     case MarkKind::knot:
-      return (press ? tr("Knot %1 of the press") : tr("Knot %1 of the release")).arg(number);
+      return (press ? tr("Curve point %1 of the press") : tr("Curve point %1 of the release")).arg(number);
     case MarkKind::slopeBefore:
-      return (press ? tr("Slope before knot %1 of the press") : tr("Slope before knot %1 of the release"))
+      return (press ? tr("Slope before curve point %1 of the press")
+                    : tr("Slope before curve point %1 of the release"))
           .arg(number);
     case MarkKind::slopeAfter:
-      return (press ? tr("Slope after knot %1 of the press") : tr("Slope after knot %1 of the release"))
+      return (press ? tr("Slope after curve point %1 of the press")
+                    : tr("Slope after curve point %1 of the release"))
           .arg(number);
     case MarkKind::section:
       return (press ? tr("Section %1 of the press") : tr("Section %1 of the release")).arg(number);

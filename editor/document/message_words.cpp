@@ -35,7 +35,7 @@ constexpr int digits = 6;  // as in a quantity field
     QT_TRANSLATE_NOOP("detent", "key figures"),
     QT_TRANSLATE_NOOP("detent", "plot frame"),
     QT_TRANSLATE_NOOP("detent", "plot"),
-    QT_TRANSLATE_NOOP("detent", "given plot frame"),
+    QT_TRANSLATE_NOOP("detent", "plot frame entered by hand"),
     QT_TRANSLATE_NOOP("detent", "selection"),
     QT_TRANSLATE_NOOP("detent", "force device"),
     QT_TRANSLATE_NOOP("detent", "press trace"),
@@ -62,7 +62,7 @@ constexpr int digits = 6;  // as in a quantity field
     QT_TRANSLATE_NOOP("detent", "motor lag of the device in s"),
     QT_TRANSLATE_NOOP("detent", "steepest slope in N/mm"),
     QT_TRANSLATE_NOOP("detent", "force limit in N"),
-    QT_TRANSLATE_NOOP("detent", "slew limit in N/s"),
+    QT_TRANSLATE_NOOP("detent", "limit of force change in N/s"),
     QT_TRANSLATE_NOOP("detent", "speed limit in mm/s"),
 };
 

@@ -125,7 +125,8 @@ QWidget* FeelPanel::setupPage(ViewSettings& settings) {
 QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   setupPage_ = setupPage(settings);
   setupPage_->hide();
-  setupToggle_ = described(new QToolButton, "setupToggle", tr("Pad, feedback, devices and force sensor"));
+  setupToggle_ =
+      described(new QToolButton, "setupToggle", tr("Set up pad, feedback, devices and force sensor"));
   setupToggle_->setText(tr("Setup"));
   setupToggle_->setCheckable(true);
   setupToggle_->setArrowType(Qt::RightArrow);
@@ -175,7 +176,7 @@ QToolButton* FeelPanel::buttonOf(QAction* action, const char* name, const QStrin
 }
 
 QLayout* FeelPanel::choiceRow() {
-  exchange_ = ownAction("exchangeButtons", tr("Press the other button"),
+  exchange_ = ownAction("exchangeButtons", tr("Press the other button (A or B)"),
                         tr("Switch between A and B while pressing. Both are played at their true levels, "
                            "without loudness matching."),
                         Qt::Key_X);
@@ -211,15 +212,14 @@ QLayout* FeelPanel::pressRow() {
     return button;
   };
   standardPress_ = choice("standardPress", tr("Standard press"),
-                          tr("Show and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms"), false);
+                          tr("Show and play a standard press: 120 ms down, 80 ms held, 100 ms up"), false);
   myPress_ = choice("myPress", tr("My last press"),
-                    tr("Show and play your own last press, on A, on B and after every edit, so that all are "
-                       "pressed in the same way"),
+                    tr("Show and play your own last press. It is repeated on A, on B and after every edit, "
+                       "so that all are pressed in the same way"),
                     true);
   standardPress_->setChecked(true);
   play_ = ownAction("playPress", tr("Play the press shown"),
-                    tr("Play the press shown; the sound device drives the transducer without a finger"),
-                    Qt::Key_P);
+                    tr("Send the press shown to the sound device; no finger is needed"), Qt::Key_P);
   connect(play_, &QAction::triggered, this, [this] {
     session_.play();
     showPresses();

@@ -75,7 +75,7 @@ void FeelSession::feel(FeelSide side) {
   felt_ = side;
   underFinger();
   emit feltDocumentChanged(feltDocument());
-  emit said(tr("Pressing %1, at its true level").arg(feltDocument()->title()));
+  emit said(tr("You are pressing %1, at its true level").arg(feltDocument()->title()));
 }
 
 std::shared_ptr<const playback::LiveProgram> FeelSession::program() const {
@@ -178,7 +178,7 @@ void FeelSession::playReference() {
   if (!reference_) return;
   if (!player_.playSamples({reference_, &reference_->samples}))
     emit said(settings_.sound ? tr("Only one press can be played at a time")
-                              : tr("Switch the sound on to play it"));
+                              : tr("Switch the sound on to play the reference"));
 }
 
 // ---- settings

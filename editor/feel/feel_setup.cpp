@@ -38,18 +38,17 @@ FeelSetup::FeelSetup(ViewSettings& view, SoundDeviceList& devices, QWidget* pare
 }
 
 void FeelSetup::addPressing(QFormLayout& form) {
-  drive_ = comboBox("driveChoice",
-                    tr("What mouse and touch do on the pad. Keys press by time, a pen by its pressure."));
+  drive_ = comboBox("driveChoice", tr("How mouse and touch press the pad. Keys always play a timed press; a "
+                                      "pen presses by its pressure."));
   addChoice(drive_, tr("Hold: a human-like press"), static_cast<int>(Drive::time));
   addChoice(drive_, tr("Drag down: depth"), static_cast<int>(Drive::depth));
   addChoice(drive_, tr("Drag down: force"), static_cast<int>(Drive::force));
   connect(drive_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("&Press with mouse:"), drive_);
 
-  full_ = described(
-      new QuantityField(Quantity::force, view_.units()), "fullForce",
-      tr("Force of a full press: at the end of a timed press, at full pen pressure, at the end of a "
-         "drag. Automatic: a quarter more than the button's strongest force."));
+  full_ = described(new QuantityField(Quantity::force, view_.units()), "fullForce",
+                    tr("Force at the end of a timed press, at full pen pressure, or at the end of a drag. "
+                       "Automatic: a quarter more than the button's strongest force."));
   full_->setRange({0, 100});
   full_->setLowestText(tr("automatic"));
   connect(full_, &QuantityField::valueChanged, this, &FeelSetup::take);
@@ -69,17 +68,16 @@ void FeelSetup::addFeeling(QFormLayout& form) {
       tr("Which parts of the button are felt; reduced feedback serves as a baseline for comparison."));
   addChoice(mode_, tr("Everything"), static_cast<int>(FeedbackMode::full));
   addChoice(mode_, tr("Clicks only (jumps, bottom-out)"), static_cast<int>(FeedbackMode::clickOnly));
-  addChoice(mode_, tr("Slopes only (grains)"), static_cast<int>(FeedbackMode::slopeOnly));
+  addChoice(mode_, tr("Slopes only (vibration pulses)"), static_cast<int>(FeedbackMode::slopeOnly));
   addChoice(mode_, tr("Nothing"), static_cast<int>(FeedbackMode::off));
   connect(mode_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("F&eedback:"), mode_);
 
-  stamped_ =
-      described(new QRadioButton(tr("Even: constant delay for every event")), "placementStamped",
-                tr("Events are played at the time at which the finger passed them, plus a constant delay."));
-  fast_ =
-      described(new QRadioButton(tr("Fast: every event as early as possible")), "placementFast",
-                tr("Events are played as soon as a reading shows them: earlier on average, less evenly."));
+  stamped_ = described(new QRadioButton(tr("Even: constant delay for every event")), "placementStamped",
+                       tr("Events are played with a constant delay after the finger passed them."));
+  fast_ = described(
+      new QRadioButton(tr("Fast: every event as early as possible")), "placementFast",
+      tr("Events are played as soon as the sensor shows them: earlier on average, but less evenly."));
   stampedDelay_ = noteLabel("placementStampedDelay");
   fastDelay_ = noteLabel("placementFastDelay");
   auto* placement = new QWidget;
@@ -93,10 +91,9 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   connect(stamped_, &QRadioButton::toggled, this, &FeelSetup::take);
   form.addRow(tr("Timing:"), placement);
 
-  profileFile_ =
-      described(new QPushButton, "profileFile",
-                tr("A .device file: response of the transducer, calibration of the sensor, as measured "
-                   "by detent-play sweep and calibrate."));
+  profileFile_ = described(new QPushButton, "profileFile",
+                           tr("A .device file with the response of the transducer and the calibration of the "
+                              "sensor. Measure them with detent-play sweep and detent-play calibrate."));
   connect(profileFile_, &QPushButton::clicked, this, &FeelSetup::chooseProfile);
   noProfile_ = described(new QPushButton(tr("None")), "noProfile", tr("Play as for an ideal device"));
   connect(noProfile_, &QPushButton::clicked, this, [this] {
@@ -140,7 +137,7 @@ void FeelSetup::addSensor(QFormLayout& form) {
   baud_->setEditable(true);
   for (const int baud : {9600, 57600, 115200, 230400, 460800, 921600}) baud_->addItem(QString::number(baud));
   connect_ = described(new QPushButton(tr("Connect")), "sensorConnect",
-                       tr("Press with the force sensor; calibrated by the device profile"));
+                       tr("Press with the force sensor, as calibrated in the device profile"));
   connect_->setCheckable(true);
   connect(connect_, &QPushButton::clicked, this, &FeelSetup::take);
   form.addRow(tr("Force se&nsor:"), rowOf({port_, connect_}));
@@ -251,8 +248,9 @@ void FeelSetup::showDelays() {
   fastDelay_->setText(tr("measured %1").arg(measuredDelay(EventPlacement::atOnce, buffer_)));
   stampedDelay_->setText(tr("measured %1").arg(measuredDelay(EventPlacement::timeStamped, buffer_)));
   const QString tip =
-      tr("From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without "
-         "converter, amplifier and transducer (docs/measurements/bench-playback.md)");
+      tr("Delay from the moment the force passes a threshold to the first sound sample. Measured with a 425 "
+         "Hz sensor and a JACK server, without converter, amplifier and transducer "
+         "(docs/measurements/bench-playback.md)");
   fastDelay_->setToolTip(tip);
   stampedDelay_->setToolTip(tip);
 }
@@ -275,7 +273,7 @@ void FeelSetup::setProfile(const std::optional<playback::DeviceProfile>& profile
                        numberText(profile->sensor.residual_N, 2));
     if (profile->latency)
       note +=
-          tr("; measured delay %1 ms (SD %2, N = %3)")
+          tr("; measured delay %1 ms, standard deviation %2 ms, %3 measurements")
               .arg(fixedText(1000 * profile->latency->mean_s, 1), fixedText(1000 * profile->latency->sd_s, 1))
               .arg(profile->latency->n);
   }

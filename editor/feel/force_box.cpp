@@ -23,7 +23,7 @@ ForceBox::ForceBox(ViewSettings& settings, ForceSession& session, QWidget* paren
   status_ = wrappingLabel("forceStatus");
   meter_ = described(new ForceMeter(settings), "forceMeter");
   stability_ = wrappingLabel("forceStability");
-  stable_ = described(new QPushButton(tr("&Nearest stable button")), "nearestStable",
+  stable_ = described(new QPushButton(tr("&Make button stable")), "nearestStable",
                       tr("Change the button only as much as the device requires: damping first, then slopes; "
                          "peaks keep their force. Can be undone in one step."));
   connect(stable_, &QPushButton::clicked, &session_, &ForceSession::makeStable);
@@ -50,8 +50,9 @@ QString ForceBox::stateWords() const {
     return tr("No force device. Choose one under Setup; simulated ones need no hardware.");
   switch (session_.state()) {
     case ForceState::off:
-      return session_.simulated() ? tr("Simulated; nothing is moved. Switch on to watch it.")
-                                  : tr("Off: the device applies no force.");
+      return session_.simulated()
+                 ? tr("Simulated device: nothing moves in reality. Switch it on to watch it.")
+                 : tr("Off: the device applies no force.");
     case ForceState::starting:
       return tr("Opening the force device…");
     case ForceState::lost:
@@ -66,7 +67,7 @@ QString ForceBox::stateWords() const {
         "No force yet: pull the handle all the way out and push it all the way in, until the light is "
         "green.");
   const QString name = QString::fromStdString(session_.device()->profile.name);
-  return session_.simulated() ? tr("Simulated finger on: %1").arg(name) : tr("On: %1").arg(name);
+  return session_.simulated() ? tr("Simulated device on: %1").arg(name) : tr("On: %1").arg(name);
 }
 
 void ForceBox::showState() {
@@ -100,8 +101,9 @@ void ForceBox::showMargin() {
   QStringList remarks;
   for (const playback::ForceRemark& remark : session_.remarks())
     remarks << remarkWords(remark, button, settings_.units());
-  stability_->setToolTip(remarks.isEmpty() ? tr("Show in the graph which slopes the device can stably render")
-                                           : remarks.join('\n'));
+  stability_->setToolTip(remarks.isEmpty()
+                             ? tr("Show in the graph which slopes the device can reproduce without vibrating")
+                             : remarks.join('\n'));
 }
 
 }  // namespace detent::editor

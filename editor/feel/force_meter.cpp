@@ -26,7 +26,7 @@ ForceMeter::ForceMeter(ViewSettings& settings, QWidget* parent) : QWidget(parent
       tr("<p><b>Force</b>: the commanded force, and the largest one allowed.</p><p><b>Energy</b>: energy "
          "that the finger has put into the button since rest, and how much of it was returned. A balance "
          "below 0 means that the button returned more than it stored.</p><p><b>On time</b>: share of control "
-         "steps that began within 0.1 ms of their time, and the latest one.</p>"));
+         "steps that began within 0.1 ms of their planned time, and the longest delay.</p>"));
   setIdle();
 }
 
@@ -52,7 +52,7 @@ void ForceMeter::show(const playback::ForceStatus& status, const ForceEnergy& en
   bars_[1] = {tr("Energy"),
               gave ? tr("%1 mJ, balance %2 mJ")
                          .arg(fixedText(energy.held_mJ, 2), fixedText(energy.lowestBalance_mJ, 2))
-                   : tr("%1 mJ, %2 of %3 back")
+                   : tr("%1 mJ, %2 of %3 returned")
                          .arg(fixedText(energy.held_mJ, 2), fixedText(energy.givenBack_mJ, 2),
                               fixedText(energy.most_mJ, 2)),
               energy.most_mJ > 0 ? energy.held_mJ / energy.most_mJ : 0, gave};
@@ -60,7 +60,7 @@ void ForceMeter::show(const playback::ForceStatus& status, const ForceEnergy& en
       status.steps > 0 ? static_cast<double>(status.within100us) / static_cast<double>(status.steps) : 1;
   bars_[2] = {
       tr("On time"),
-      tr("%1 %, latest %2 ms").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)),
+      tr("%1 %, max. %2 ms late").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)),
       punctual, punctual < punctualShare};
   QStringList words;
   for (const Bar& bar : bars_) words << tr("%1: %2").arg(bar.name, bar.text);

@@ -201,10 +201,10 @@ void ForceSession::makeStable() {
     return;
   }
   if (stable->changes.empty()) {
-    emit said(tr("No change is needed: the device can render every slope of this button."));
+    emit said(tr("No change is needed: the device can reproduce every slope of this button."));
     return;
   }
-  document_->history().apply(stable->button, tr("Nearest stable button"));
+  document_->history().apply(stable->button, tr("Make button stable"));
   stable_ = stable->button;
   changes_ = stable->changes;
   computeMargin();

@@ -37,7 +37,7 @@ ForceSetup::ForceSetup(ViewSettings& view, QWidget* parent) : QWidget(parent), v
 void ForceSetup::addDevice(QFormLayout& form) {
   device_ =
       comboBox("forceDevice",
-               tr("Device that renders the force: a simulated one with a simulated finger, or a real one"));
+               tr("Device that produces the force: a simulated one with a simulated finger, or a real one"));
   addChoice(device_, tr("none"), QString());
   addChoice(device_, tr("simulated: bench device, 1 µm"), QStringLiteral("sim"));
   addChoice(device_, tr("simulated: Novint Falcon"), QStringLiteral("sim:falcon"));
@@ -85,10 +85,10 @@ void ForceSetup::addLimits(QFormLayout& form) {
   step_ = field(Quantity::length, "forceStep", tr("Encoder step, at the finger"), {0, coarsestStep_mm});
   step_->setLowestText(tr("10 µm"));
   form.addRow(tr("Encoder s&tep:"), step_);
-  turn_ =
-      field(Quantity::length, "forceTurn",
-            tr("Travel of the handle in one turn of the motor; negative where pressing turns it backwards"),
-            {-longestTurn_mm, longestTurn_mm});
+  turn_ = field(
+      Quantity::length, "forceTurn",
+      tr("Travel of the handle in one turn of the motor; negative if pressing turns the motor backwards"),
+      {-longestTurn_mm, longestTurn_mm});
   form.addRow(tr("Travel per t&urn:"), turn_);
   upload_ =
       described(new QCheckBox(tr("Compute the force on the microcontroller, at its own rate")), "forceUpload",
@@ -98,7 +98,7 @@ void ForceSetup::addLimits(QFormLayout& form) {
   controller_ = described(
       new QCheckBox(tr("Add damping where the button returns more energy than it took up")),
       "forceController",
-      tr("Passivity controller: steadier on a device that vibrates, but less crisp where a button snaps"));
+      tr("Steadier on a device that vibrates, but less crisp where a button snaps (passivity controller)"));
   connect(controller_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), controller_);
 }

@@ -48,11 +48,12 @@ QString boundWords(playback::StabilityBound bound) {
 
 QString stretchWords(const playback::UnstableStretch& stretch, const Button& button,
                      const DisplayUnits& units) {
-  const QString what = stretch.falling ? tr("the falling jump %1 has %2") : tr("the rise %1 has %2");
+  const QString what =
+      stretch.falling ? tr("the falling jump %1 has a slope of %2") : tr("the rise %1 has a slope of %2");
   return asSentence(stateBefore(button, stretch.state) +
                     what.arg(placeWords(stretch.from_mm, stretch.to_mm, units),
                              shown(stretch.worst.slope_N_per_mm, Quantity::slope, units)) +
-                    tr("; the device can stably render at most %1 %2")
+                    tr("; the device can reproduce at most %1 without vibrating %2")
                         .arg(shown(stretch.worst.allowed_N_per_mm, Quantity::slope, units),
                              boundWords(stretch.worst.bound)));
 }
@@ -60,15 +61,15 @@ QString stretchWords(const playback::UnstableStretch& stretch, const Button& but
 QString marginWords(const playback::StabilityMargin& margin, const Button& button,
                     const DisplayUnits& units) {
   if (margin.stable())
-    return tr("Stable: the device can render every slope. Margin at the most critical one: %1.")
+    return tr("Stable: the device can reproduce every slope. Smallest margin: %1.")
         .arg(shown(margin.least.margin_N_per_mm(), Quantity::slope, units));
   const auto worst = std::min_element(
       margin.unstable.begin(), margin.unstable.end(),
       [](const auto& a, const auto& b) { return a.worst.margin_N_per_mm() < b.worst.margin_N_per_mm(); });
   const QString stretches =
       margin.unstable.size() == 1
-          ? tr("At one place the button is steeper than the device can stably render.")
-          : tr("At %1 places the button is steeper than the device can stably render. The worst:")
+          ? tr("At one place the button is too steep for the device, which would vibrate there.")
+          : tr("At %1 places the button is too steep for the device, which would vibrate there. The worst:")
                 .arg(margin.unstable.size());
   return stretches + " " + stretchWords(*worst, button, units);
 }
@@ -79,40 +80,41 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
   QString words;
   switch (remark.kind) {
     case playback::ForceRemarkKind::bottomOutSoftened:
-      words = tr("the rise of %1 at %2 is rendered as %3")
+      words = tr("the rise of %1 at %2 is reproduced as %3")
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;
     case playback::ForceRemarkKind::fallSoftened:
-      words = tr("the fall of %1 at %2 is rendered as %3")
+      words = tr("the fall of %1 at %2 is reproduced as %3")
                   .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
       break;
     case playback::ForceRemarkKind::forceClipped:
-      words = tr("%1 exceeds the force of the device; %2 is rendered")
+      words = tr("%1 exceeds the force of the device; %2 is reproduced")
                   .arg(in(remark.value, Quantity::force), in(remark.limit, Quantity::force));
       break;
     case playback::ForceRemarkKind::strokesCross:
-      words = tr("the release lies up to %1 above the press at %2, which would generate energy; there, both "
-                 "are rendered as the release")
+      words = tr("at %2, the release lies up to %1 above the press and would add energy; the device uses the "
+                 "release curve for both there")
                   .arg(in(remark.value, Quantity::force), at);
       break;
     case playback::ForceRemarkKind::dampingLimited:
-      words = tr("the damping of %1 at %2 is rendered as %3")
+      words = tr("the damping of %1 at %2 is reproduced as %3")
                   .arg(in(remark.value, Quantity::damping), at, in(remark.limit, Quantity::damping));
       break;
     case playback::ForceRemarkKind::speedsCross:
-      words = tr("a release lies up to %1 above the press of another speed at %2, which would generate "
-                 "energy; there, the press is rendered as that release")
+      words = tr("at %2, the release at one speed lies up to %1 above the press at another and would add "
+                 "energy; there the press follows that release")
                   .arg(in(remark.value, Quantity::force), at);
       break;
     case playback::ForceRemarkKind::speedLimited:
-      words = (remark.value > 0 ? tr("the dependence on speed damps by %1 at %2; %3 is rendered")
-                                : tr("the dependence on speed adds energy (%1) at %2; %3 is rendered"))
+      words = (remark.value > 0
+                   ? tr("at %2, the force changes with speed like a damping of %1; the device reproduces %3")
+                   : tr("at %2, the change of force with speed adds energy (%1); the device reproduces %3"))
                   .arg(in(std::abs(remark.value), Quantity::damping), at,
                        in(std::abs(remark.limit), Quantity::damping));
       break;
     case playback::ForceRemarkKind::wideReturn:
-      words = tr("the change from press to release would need %1 of travel on this device; it is limited to "
-                 "%2 and may be unstable")
+      words = tr("to change from press to release, this device would need %1 of travel; it gets %2 and may "
+                 "vibrate")
                   .arg(in(2 * remark.value, Quantity::length), in(2 * remark.limit, Quantity::length));
       break;
   }
@@ -125,7 +127,7 @@ QString changeWords(const std::vector<playback::StabilityChange>& changes, const
   for (const playback::StabilityChange& change : changes) {
     QStringList parts;
     if (change.largestForceChange_N > 0)
-      parts << tr("forces changed by up to %1, %2")
+      parts << tr("forces %2 changed by up to %1")
                    .arg(shown(change.largestForceChange_N, Quantity::force, units),
                         placeWords(change.changedFrom_mm, change.changedTo_mm, units));
     if (change.addedDamping_Ns_per_mm > 0)

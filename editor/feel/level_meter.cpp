@@ -23,9 +23,9 @@ LevelMeter::LevelMeter(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Output level"));
   setToolTip(
-      tr("<p>Output level, in dB of full scale: the bar is the peak of the last 20 ms; the line and the "
-         "number are the highest peak (held for 1.5 s).</p><p>“limited” stands there while the limiter "
-         "holds the level at its ceiling: lower the gain to feel the button's true strength.</p>"));
+      tr("<p>Output level, in dB relative to full scale: the bar is the peak of the last 20 ms; the line and "
+         "the number are the highest peak (held for 1.5 s).</p><p>“limited” appears while the limiter caps "
+         "the level. Lower the gain to feel the button's true strength.</p>"));
 }
 
 QSize LevelMeter::sizeHint() const { return {220, 22}; }

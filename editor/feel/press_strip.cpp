@@ -16,9 +16,9 @@ PressStrip::PressStrip(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Last presses"));
   setToolTip(
-      tr("<p>The last 3 seconds: depth of the finger (down is deeper), and what was felt.</p>"
-         "<p>Short ticks: grains of the slopes. Bars: jumps of the press and release stroke, bottom-out. "
-         "The line above stands for the closed contact.</p>"));
+      tr("<p>The last 3 seconds: depth of the finger (down is deeper), and what was felt.</p><p>Short ticks: "
+         "vibration pulses of the slopes. Bars: jumps of the press and release stroke, bottom-out. The line "
+         "above shows when the contact is closed.</p>"));
 }
 
 QSize PressStrip::sizeHint() const { return {360, 64}; }

@@ -45,7 +45,7 @@ double amplitudeSpan(double peak) {
 QString eventName(EventKind kind) {
   switch (kind) {
     case EventKind::grain:
-      return SignalView::tr("grain");
+      return SignalView::tr("pulse");
     case EventKind::pressJump:
       return SignalView::tr("press jump");
     case EventKind::releaseJump:
@@ -59,7 +59,7 @@ QString eventName(EventKind kind) {
     case EventKind::trigger:
       break;
   }
-  return SignalView::tr("signal message");
+  return SignalView::tr("triggered from outside");
 }
 
 QColor eventColor(EventKind kind, const GraphColors& colors) {
@@ -125,13 +125,11 @@ SignalView::SignalView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Vibration of a press"));
-  setToolTip(tr(
-      "<p>Above: the vibration of a press, as a share of full scale. The grey line is the force (or depth) "
-      "it was "
-      "pressed with: a standard press (rise 120 ms, hold 80 ms, fall 100 ms; a quarter more force than the "
-      "bottom-out needs) or your own last one.</p><p>Below: its spectrogram up to 1000 Hz; Hann window of 32 "
-      "ms, "
-      "levels from −60 to 0 dB of a full-scale sine.</p>"));
+  setToolTip(
+      tr("<p>Above: the vibration of a press, as a share of full scale. The grey line is the force (or "
+         "depth) it was pressed with: a standard press (120 ms down, 80 ms held, 100 ms up; a quarter more "
+         "force than the bottom-out needs) or your own last one.</p><p>Below: its frequencies over time up "
+         "to 1000 Hz (spectrogram; Hann window of 32 ms), from −60 to 0 dB of a full-scale sine.</p>"));
 }
 
 QSize SignalView::sizeHint() const { return {360, 300}; }
@@ -151,9 +149,9 @@ void SignalView::setReference(std::shared_ptr<const ReferenceDrawing> reference,
   press_.reset();
   setAccessibleName(tr("Reference: %1").arg(name));
   setToolTip(
-      tr("<p>A signal of another program, to compare with: above as a share of full scale, below its "
-         "spectrogram. "
-         "Level and, unless one is four times longer, time are drawn to the scale of the press.</p>"));
+      tr("<p>A signal of another program, for comparison: above as a share of full scale, below as a "
+         "spectrogram. The level has the same scale as that of the press. So has the time, unless one signal "
+         "is four times longer than the other.</p>"));
   setDrawn(std::move(reference), tr("Reference: %1").arg(name), {});
 }
 

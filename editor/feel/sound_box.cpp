@@ -52,10 +52,10 @@ QLayout* SoundBox::levelRow() {
     session_.setSettings(next);
   });
   meter_ = described(new LevelMeter, "levelMeter");
-  felt_ =
-      described(new QLabel, "feltLevel",
-                tr("The strongest 10 ms of the last 1.5 s, in dB above the threshold of a fingertip, by the "
-                   "device profile. ≈ means that its level was not measured (sweep) and is assumed."));
+  felt_ = described(new QLabel, "feltLevel",
+                    tr("How strong the strongest 10 ms of the last 1.5 s felt, in dB above what a fingertip "
+                       "can just feel. The device profile states how strong the device is; ≈ means that this "
+                       "was not measured (sweep) but assumed."));
   felt_->setMinimumWidth(
       felt_->fontMetrics().horizontalAdvance(tr("felt %1 dB").arg(QStringLiteral("≈ 100"))));
   felt_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -68,9 +68,9 @@ QLayout* SoundBox::levelRow() {
 
 QLayout* SoundBox::gainRow() {
   auto* label = new QLabel(tr("&Gain"));
-  gain_ = described(
-      new QSlider(Qt::Horizontal), "gain",
-      tr("Gain before the limiter, −40 to +20 dB; 0 dB: as the button and the device profile require"));
+  gain_ = described(new QSlider(Qt::Horizontal), "gain",
+                    tr("Gain before the limiter, −40 to +20 dB. 0 dB is the strength that button and device "
+                       "profile require"));
   gain_->setRange(static_cast<int>(lowestGain_dB * gainStepsPer_dB),
                   static_cast<int>(highestGain_dB * gainStepsPer_dB));
   gain_->setPageStep(static_cast<int>(6 * gainStepsPer_dB));
@@ -148,7 +148,7 @@ QString SoundBox::soundWords() const {
                 .arg(s.blockFrames)
                 .arg(fixedText(1000 * s.blockFrames / s.sampleRate_Hz, 1));
   text += tr(" · load %1 %").arg(fixedText(100 * s.meanLoad, 1)) + tr(" · drop-outs: %1").arg(s.xruns);
-  if (s.deviceLosses > 0) text += tr(" · losses: %1").arg(s.deviceLosses);
+  if (s.deviceLosses > 0) text += tr(" · lost: %1").arg(s.deviceLosses);
   return text;
 }
 

@@ -34,7 +34,8 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
   if (!kind) return kind.failure();
   if (*kind == InputKind::page)
     return Failure{FailureCode::wrongUsage, path.toStdString(), "",
-                   Message("is a page to import, not a button"), Message("Open it with Import")};
+                   Message("is a page to import, not a button"),
+                   Message("Import the file with File > Import a datasheet")};
   if (*kind == InputKind::curveCsv) {
     auto button = buttonFromCsv(path);
     if (!button) return button.failure();

@@ -60,7 +60,7 @@ Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& g
     if (!reading.value)
       return Failure{FailureCode::wrongUsage, "", "",
                      refusalOf(reading, Quantity::length, units).toStdString(),
-                     SampledAt::tr("Example: 0.1, or 0; 0.5; 2").toStdString()};
+                     SampledAt::tr("Example: 0.1 (step), or 0; 0.5; 2 (travels)").toStdString()};
     typed.push_back(*reading.value);
   }
   return typed.size() == 1 ? travelsAtEach(typed.front(), graph) : travelsWithin(std::move(typed), graph);
@@ -82,7 +82,7 @@ Result<Done> exportPng(const QImage& picture, const QString& path) {
   QBuffer buffer(&png);
   if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
     return Failure{FailureCode::internalFault, path.toStdString(), "", Message("cannot be saved as a PNG"),
-                   Message("Export it at a smaller size")};
+                   Message("Choose a smaller size for the picture")};
   return writeTextFileAtomically(nativePath(path), png.toStdString());
 }
 
@@ -95,7 +95,7 @@ Result<Done> exportDrawing(QSize size, const QString& path,
   QBuffer buffer(&bytes);
   if (!buffer.open(QIODevice::WriteOnly))
     return Failure{FailureCode::internalFault, path.toStdString(), "", Message("cannot be drawn"),
-                   Message("Export a PNG")};
+                   Message("Export a PNG instead")};
   if (svg) {
     QSvgGenerator drawing;
     drawing.setOutputDevice(&buffer);

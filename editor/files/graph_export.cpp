@@ -26,7 +26,7 @@ constexpr double mostDots = 16'000;
 
 Failure notDrawn(const QString& path) {
   return {FailureCode::internalFault, path.toStdString(), "", Message("could not be drawn"),
-          Message("Export it as SVG")};
+          Message("Export an SVG instead")};
 }
 
 Result<QByteArray> pdfOf(const Button& button, const SvgPlotStyle& style, const QString& path) {

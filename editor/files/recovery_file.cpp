@@ -11,7 +11,7 @@ constexpr int recoveryVersion = 1;
 
 Failure broken(const QString& subject, const Message& problem) {
   return {FailureCode::unreadableInput, subject.toStdString(), "", problem,
-          Message("It was left by an editor that ended unexpectedly; it can be deleted")};
+          Message("The file was left by a Detent that ended unexpectedly; you can delete it")};
 }
 
 }  // namespace

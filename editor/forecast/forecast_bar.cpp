@@ -12,8 +12,8 @@ namespace detent::editor {
 
 ForecastBar::ForecastBar(QWidget* parent) : QWidget(parent) {
   words_ = described(new QLabel, "forecastWords",
-                     tr("Predicted by a model of touch from the vibration of both buttons, without "
-                        "participants. Its limits: docs/reference/predicted-confusion.md."),
+                     tr("This prediction comes from the vibration of both buttons and a model of touch; no "
+                        "participants were asked. Its limits: docs/reference/predicted-confusion.md."),
                      tr("Predicted confusion"));
   words_->setWordWrap(true);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -76,8 +76,8 @@ void ForecastBar::offer(const Found& found, const Button& searched) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (!found) menu->addAction(sentenceOf(found.failure()))->setEnabled(false);
   if (found && found->empty())
-    menu->addAction(tr("No single change of snap ratio, travel or force by up to a factor of 4 is certain to "
-                       "make them distinguishable"))
+    menu->addAction(tr("No change of snap ratio, travel or force alone, by up to a factor of 4, is certain "
+                       "to make the buttons distinguishable"))
         ->setEnabled(false);
   if (found) {
     for (const playback::Suggestion& suggestion : *found)

@@ -26,9 +26,9 @@ ForecastMatrix::ForecastMatrix(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Predicted confusion of the open buttons"));
   resize(720, 480);
   auto* title =
-      new QLabel(tr("Predicted errors in 90 trials when people compare two buttons by feel; 45 means "
-                    "guessing. With at most 9, people can tell them apart; bold where that is not certain. "
-                    "Double-click to compare the two."));
+      new QLabel(tr("Number of wrong answers predicted if people compare two buttons by feel 90 times. 45 "
+                    "means guessing. With at most 9, people can tell the buttons apart; bold numbers are not "
+                    "certain. Double-click a number to compare the two."));
   title->setWordWrap(true);
   table_ =
       described(new QTableWidget, "forecastTable", {}, tr("Predicted errors in 90 trials for every pair"));

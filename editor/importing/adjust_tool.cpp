@@ -319,11 +319,11 @@ bool AdjustTool::menu(QPointF widget, QPoint global) {
       change(MarkCorrection{kind, stroke, {}, at}, tr("Add point"));
     });
   };
-  add(tr("Operating point here"), MarkCorrection::Kind::operating, Stroke::press);
-  if (view_.drawn().release) add(tr("Reset point here"), MarkCorrection::Kind::reset, Stroke::release);
-  add(tr("Tactile point of the press here"), MarkCorrection::Kind::tactile, Stroke::press);
+  add(tr("Set operating point here"), MarkCorrection::Kind::operating, Stroke::press);
+  if (view_.drawn().release) add(tr("Set reset point here"), MarkCorrection::Kind::reset, Stroke::release);
+  add(tr("Set tactile point of the press here"), MarkCorrection::Kind::tactile, Stroke::press);
   if (view_.drawn().release)
-    add(tr("Tactile point of the release here"), MarkCorrection::Kind::tactile, Stroke::release);
+    add(tr("Set tactile point of the release here"), MarkCorrection::Kind::tactile, Stroke::release);
   menu->popup(global);
   return true;
 }
@@ -458,12 +458,12 @@ QCursor AdjustTool::cursor(QPointF widget) const {
 
 QString AdjustTool::hint() const {
   if (active_ && active_->kind == Kind::corner) {
-    return tr("The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the "
-              "plot frame stays rectangular.")
+    return tr("Drag the %1 of the plot frame, or use the arrow keys (Shift: 10 times the step, Alt: a "
+              "tenth). Ctrl keeps the frame rectangular.")
         .arg(tr(cornerName(active_->index)));
   }
   return tr(
-      "Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. "
+      "Drag corners and edges of the plot frame, ticks, or points of the curve. Right-click to add a point. "
       "Double-click a tick to type its value. Tab selects the next element, arrow keys move it, Delete "
       "removes it.");
 }

@@ -95,7 +95,8 @@ void AxisBox::build() {
   column->addWidget(extend_);
   extend_->setObjectName(axis_ == GraphAxis::x ? QStringLiteral("xExtend") : QStringLiteral("yExtend"));
   extend_->setToolTip(
-      tr("Tick labels of this axis lie outside the plot frame: move its edge to include them"));
+      tr("Some tick labels of this axis lie outside the plot frame. Move the edge of the frame to include "
+         "them"));
   extend_->hide();
   details_->setForegroundRole(QPalette::PlaceholderText);
 }
@@ -330,13 +331,13 @@ QString AxisBox::detailsOf(const AxisCorrection& given, const importer::AxisRead
   const auto numbers = found ? std::ssize(found->ticks) : 0;
   const auto agreeing = found ? std::ranges::count_if(found->ticks, &importer::TickLabel::agrees) : 0;
   if (given.ticks.size() == 1)
-    details << (agreeing > 0 ? tr("1 tick given") : tr("1 tick given; one more defines the axis"));
+    details << (agreeing > 0 ? tr("1 tick set") : tr("1 tick set; set one more to define the axis"));
   else if (!given.ticks.empty())
-    details << tr("%1 ticks given").arg(given.ticks.size());
+    details << tr("%1 ticks set").arg(given.ticks.size());
   if (numbers > 0 && !given.empty())
-    details << tr("%1 of %2 printed numbers agree").arg(agreeing).arg(numbers);
+    details << tr("%1 of %2 printed numbers agree with your values").arg(agreeing).arg(numbers);
   else if (numbers > 0)
-    details << tr("%1 of %2 printed numbers used (residual %3 px)")
+    details << tr("%1 of %2 printed numbers used (deviation %3 px)")
                    .arg(agreeing)
                    .arg(numbers)
                    .arg(fixedText(found->residual_px, 2));

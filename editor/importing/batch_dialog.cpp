@@ -61,10 +61,10 @@ BatchDialog::BatchDialog(const ViewSettings& view, BatchActions actions, QWidget
 }
 
 QLayout* BatchDialog::chooserRow() {
-  files_ = plainButton("batchFiles", tr("Choose &files…"), tr("Import these files in place of those listed"));
-  folder_ =
-      plainButton("batchFolder", tr("Choose a f&older…"),
-                  tr("Import all datasheets, pictures and tables in a folder and the folders below it"));
+  files_ = plainButton("batchFiles", tr("Choose &files…"),
+                       tr("Choose files to import; they replace those in the list"));
+  folder_ = plainButton("batchFolder", tr("Choose a f&older…"),
+                        tr("Import all datasheets, pictures and tables in a folder and its subfolders"));
   stop_ = plainButton("batchStop", tr("S&top"), tr("Stop; finished files keep their results"));
   connect(files_, &QPushButton::clicked, this, [this] { start(at_.files(this)); });
   connect(folder_, &QPushButton::clicked, this, [this] {

@@ -45,7 +45,7 @@ std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& unit
         });
     if (!searched) results.push_back(refusal({}, searched.failure(), file, units));
   } catch (const std::bad_alloc&) {
-    results = {{{}, {}, 0, {}, BatchImport::tr("It needs more memory than there is.")}};
+    results = {{{}, {}, 0, {}, BatchImport::tr("The file needs more memory than is available.")}};
   }
   return results;
 }

@@ -104,8 +104,7 @@ QHBoxLayout* CurvesBox::resolutionRow() {
   dpi_->setRange({0, 1200});
   dpi_->setLowestText(tr("automatic"));
   dpi_->setKeyboardTracking(false);
-  dpi_->setToolTip(
-      tr("Resolution at which a page of a document is drawn before it is traced, in dots per inch"));
+  dpi_->setToolTip(tr("Resolution of the page picture that is traced, in dots per inch"));
   dpi_->setAccessibleName(dpi_->toolTip());
   connect(dpi_, &QuantityField::valueChanged, &state_, [this](double value) {
     state_.correct(tr("Resolution"),

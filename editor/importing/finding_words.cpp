@@ -40,7 +40,7 @@ std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
     case RemedyKind::addMask:
       return {{words("paint a mask over what is not part of a curve"), words("Paint mask")}};
     case RemedyKind::setResolution:
-      return {{words("set a resolution, so that a picture of the page is traced"), words("Resolution")}};
+      return {{words("choose a resolution; Detent then traces a picture of the page"), words("Resolution")}};
     case RemedyKind::swapStrokes:
       return {{words("swap press and release"), words("Swap press and release")}};
     case RemedyKind::drawPress:
@@ -130,9 +130,9 @@ QString inWords(const importer::Remark& remark, const DisplayUnits& units) {
   QString text = asSentence(inWords(messageOf(remark), units));
   if (remark.code == importer::RemarkCode::operatingPointNotPlaced ||
       remark.code == importer::RemarkCode::resetPointNotPlaced)
-    text += ' ' + tr("Right-click the curve at that place to set it.");
+    text += ' ' + tr("To set the point, right-click its place on the curve.");
   if (remark.code == importer::RemarkCode::releaseNotDrawn)
-    text += ' ' + tr("Use “Draw release” if the page shows one.");
+    text += ' ' + tr("If the page shows a release, use “Draw release”.");
   QStringList advised;
   for (const RemedyKind each : correctionsAmong(remark.remedies)) advised << instruction(each);
   if (!advised.isEmpty()) text += ' ' + asSentence(tr("If that is wrong, ") + advised.join(tr(", or ")));
@@ -180,9 +180,9 @@ QString nameOfWork(importer::ImportStep step) {
     case importer::ImportStep::axes:
       return tr("axes");
     case importer::ImportStep::texts:
-      return tr("texts");
+      return tr("reading texts");
     case importer::ImportStep::copies:
-      return tr("comparing copies");
+      return tr("comparing copies of the page");
     case importer::ImportStep::trace:
       return tr("tracing");
     case importer::ImportStep::strokes:
@@ -192,7 +192,7 @@ QString nameOfWork(importer::ImportStep step) {
     case importer::ImportStep::fit:
       return tr("fit");
     case importer::ImportStep::callouts:
-      return tr("callouts");
+      return tr("reading callouts");
   }
   return {};
 }

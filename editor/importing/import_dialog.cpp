@@ -273,9 +273,8 @@ void ImportDialog::Impl::build() {
   quality->setMinimumContentsLength(12);  // on a narrow screen its words are cut before the dialogue is
   quality->setAccessibleName(tr("Quality of the import"));
   quality->setToolTip(
-      tr("How carefully the graph is read: computing time and typical deviation from the printed curve, as "
-         "measured on drawn graphs (docs/measurements/trade.md). Your corrections are kept when you change "
-         "the quality."));
+      tr("How carefully Detent reads the graph. Times and errors were measured on drawn graphs "
+         "(docs/measurements/trade.md). Your corrections are kept when you change the quality."));
   top->addWidget(open);
   top->addWidget(pasteButton);
   top->addWidget(document, 1);
@@ -298,7 +297,7 @@ void ImportDialog::Impl::build() {
   list->addWidget(graphsOnly = new QCheckBox(tr("Graphs onl&y")));
   list->addWidget(pages);
   graphsOnly->setObjectName(QStringLiteral("graphsOnly"));
-  graphsOnly->setToolTip(tr("List the graphs without the pages between them"));
+  graphsOnly->setToolTip(tr("List only the graphs, without the pages between them"));
   QObject::connect(graphsOnly, &QCheckBox::toggled, pages, &PageList::setGraphsOnly);
   splitter->addWidget(side);
   // The advice is placed beside the lists, so that they do not move when a question appears or disappears.
@@ -339,7 +338,7 @@ void ImportDialog::Impl::build() {
   progress->setAccessibleName(tr("Progress of the import"));
   work = new QLabel;
   work->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  stop = described(new QPushButton(tr("&Stop")), "stop", tr("Stop reading; the last result stays"));
+  stop = described(new QPushButton(tr("&Stop")), "stop", tr("Stop reading and keep the last result"));
   accept = described(new QPushButton(tr("&Import")), "import");
   accept->setDefault(true);
   auto* close = described(new QPushButton(tr("Close")), "close");
@@ -498,17 +497,16 @@ void ImportDialog::Impl::showAdvice() {
     const auto& page = state.page(state.currentPage());
     if (page.searched) {
       if (const Failure* why = otherPlotOn(page))
-        return say(
-            AdviceBar::Tone::note,
-            {adviceFor(*why, state.documentName(), settings.units()).problem,
-             tr("No button can be imported from that graph. If the page shows another one, draw its plot "
-                "frame. If this one was misread, click its dashed rectangle."),
-             {RemedyKind::giveFrame}});
+        return say(AdviceBar::Tone::note,
+                   {adviceFor(*why, state.documentName(), settings.units()).problem,
+                    tr("No button can be imported from this graph. If the page shows another graph, draw its "
+                       "plot frame. If this graph was misread, click its dashed rectangle."),
+                    {RemedyKind::giveFrame}});
       // No advice on pages that are still being searched.
       const bool pageAlone = !state.graphs().empty() || state.searchedPages() < state.pageCount();
       return say(AdviceBar::Tone::note,
                  {pageAlone ? tr("No force graph was found on this page.") : tr("No force graph was found."),
-                  tr("If there is one, draw its plot frame on the page or click a dashed rectangle."),
+                  tr("If the page shows a graph, draw its plot frame or click a dashed rectangle."),
                   {RemedyKind::giveFrame}});
     }
     return clearAdvice();
@@ -517,7 +515,7 @@ void ImportDialog::Impl::showAdvice() {
     return say(AdviceBar::Tone::fault,
                {graph->history.now().xIsOther ? tr("The horizontal axis measures no displacement.")
                                               : tr("The vertical axis measures no force."),
-                tr("No button can be imported from this graph. Undo takes the answer back."),
+                tr("No button can be imported from this graph. Use Undo to take your answer back."),
                 {}});
   const bool several = !graph->switches().empty();
   const bool failed = graph->last && graph->last->failure && graph->pending == 0;

@@ -46,7 +46,7 @@ Result<importer::ImportSession> openPasted(const OpenPicture& query) {
   constexpr int fastCompression = 90;
   if (query.picture.isNull() || !query.picture.save(&buffer, "PNG", fastCompression)) {
     return Failure{FailureCode::unreadableInput, query.name.toStdString(), "", Message("it holds no picture"),
-                   Message("Copy the picture again, or save it to a file and open that")};
+                   Message("Copy the picture again, or save it to a file and open the file")};
   }
   return importer::ImportSession::fromBytes({png.begin(), png.end()}, query.name.toStdString());
 }

@@ -31,7 +31,7 @@ OriginMark::OriginMark(ImportState& state, const QString& name, const QString& l
   reset_->setText(tr("Reset"));
   reset_->setObjectName(name);
   reset_->setAutoRaise(true);
-  reset_->setToolTip(tr("Restore the found value"));
+  reset_->setToolTip(tr("Restore the value that Detent found"));
   reset_->setAccessibleName(label);
   reset_->setVisible(false);
   connect(reset_, &QToolButton::clicked, &state,
@@ -43,7 +43,7 @@ void OriginMark::setOrigin(bool given, std::optional<double> confidence) {
   QFont font = words_->font();
   font.setBold(given);
   words_->setFont(font);
-  words_->setText(given        ? tr("given")
+  words_->setText(given        ? tr("set by hand")
                   : confidence ? tr("found, %1 % sure").arg(qRound(100 * *confidence))
                                : QString());
 }

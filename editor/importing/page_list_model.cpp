@@ -147,7 +147,7 @@ QVariant PageListModel::pageData(int number, int role) const {
     case Qt::ToolTipRole:
       if (page.failure) return adviceFor(*page.failure, state_.documentName()).problem;
       return page.searched ? tr("Page %1").arg(number)
-                           : tr("Page %1 is still searched for graphs").arg(number);
+                           : tr("Page %1 is still being searched for graphs").arg(number);
     default:
       return {};
   }

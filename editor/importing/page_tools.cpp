@@ -65,8 +65,8 @@ class ScaleTool : public PageTool {
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
   QString hint() const override {
     return tr(
-        "Click a tick of an axis and type the value printed there; two per axis define it. The corner where "
-        "the axes meet sets both at once.");
+        "Click a tick of an axis and type the value printed there. Two ticks define an axis. The corner "
+        "where the axes meet sets both at once.");
   }
 
  private:
@@ -251,8 +251,8 @@ class DrawFrameTool : public RectangleTool {
   using RectangleTool::RectangleTool;
   QString hint() const override {
     return tr(
-        "Drag from one corner of the area in which the curves are drawn to the opposite one. Over the "
-        "current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.");
+        "Drag across the area in which the curves are drawn, from corner to corner. Over the current plot "
+        "frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.");
   }
 
  private:
@@ -405,10 +405,10 @@ class DrawCurveTool : public PageTool {
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
   QString hint() const override {
     return stroke_ == Stroke::press
-               ? tr("Click points along the press curve, or draw along it; Enter or a double-click ends it. "
-                    "Drawing over part of a traced curve replaces that part.")
-               : tr("Click points along the release curve, or draw along it; Enter or a double-click ends "
-                    "it. Drawing over part of a traced curve replaces that part.");
+               ? tr("Click points along the press curve, or draw along it. Press Enter or double-click to "
+                    "finish. To correct part of a traced curve, draw over that part.")
+               : tr("Click points along the release curve, or draw along it. Press Enter or double-click to "
+                    "finish. To correct part of a traced curve, draw over that part.");
   }
 
  private:

@@ -39,7 +39,7 @@ SwitchesBox::SwitchesBox(ImportState& state, QWidget* parent)
   list_->setTabKeyNavigation(false);
   QLabel* hint = wrappedLabel();
   hint->setText(
-      tr("Choose the one to read. Ticked ones are imported together, each as a button of its own."));
+      tr("Choose the switch to read. Ticked switches are imported together, each as a button of its own."));
   hint->setForegroundRole(QPalette::PlaceholderText);
   auto* column = new QVBoxLayout(this);
   column->addWidget(list_);

@@ -85,17 +85,17 @@ QWidget* ComparePanel::plotSide() {
   reading_ = wrappingLabel("compareReading");
   reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing moves when the text appears
   connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
-    reading_->setText(reading.isEmpty()
-                          ? tr("Point at the graph to read values; click to pin a cursor and read "
-                               "differences from there.")
-                          : reading);
+    reading_->setText(
+        reading.isEmpty()
+            ? tr("Point at the graph to read values. Click to set a cursor and read differences from there.")
+            : reading);
   });
   auto* difference = button<QToolButton>("compareDifference", tr("&Difference"),
                                          tr("Show differences from the first button below the graph"));
   difference->setCheckable(true);
   connect(difference, &QToolButton::toggled, plot_, &ComparePlot::showDifferences);
   auto* picture = button<QToolButton>("comparePicture", tr("&Picture…"),
-                                      tr("Write the graphs with their names as PNG, SVG or PDF"));
+                                      tr("Save the graphs with their names as PNG, SVG or PDF"));
   connect(picture, &QToolButton::clicked, this, &ComparePanel::pictureRequested);
   auto* copy = button<QToolButton>("compareCopyPicture", tr("C&opy the picture"),
                                    tr("Copy the graphs with their names as a picture"));
@@ -178,7 +178,7 @@ void ComparePanel::addSide() {
   side.button->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   side.state =
       described(new QComboBox, QStringLiteral("compareState") + side.letter,
-                tr("Which state of a self-locking button is compared"), tr("State of button %1").arg(number));
+                tr("State of a self-locking button to compare"), tr("State of button %1").arg(number));
   layout->addWidget(side.swatch);
   layout->addWidget(side.button, 1);
   layout->addWidget(side.state);

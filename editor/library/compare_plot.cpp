@@ -261,7 +261,7 @@ QString ComparePlot::differences() const {
     if (from && to)
       parts << tr("%1 press %2").arg(name, quantityWithUnit(*to - *from, Quantity::force, units_, digits));
   }
-  return tr("From the pinned cursor: %1; %2")
+  return tr("Difference from the pinned cursor: %1; %2")
       .arg(quantityWithUnit(*cursor_mm_ - *pinned_mm_, Quantity::length, units_, digits),
            parts.join(QStringLiteral("; ")));
 }

@@ -66,7 +66,7 @@ void addTactilePoint(Rows& rows, const QString& prefix, bool press, const Events
   add(Differences::tr("jump length"), Measure::length, [](const TactileEvent& e) {
     return e.jump ? Value(std::abs(e.jump->to_mm - e.jump->from_mm)) : Value();
   });
-  add(Differences::tr("jump area"), Measure::work,
+  add(Differences::tr("jump energy"), Measure::work,
       [](const TactileEvent& e) { return e.jump ? Value(e.jumpArea_mJ) : Value(); });
 }
 
@@ -208,7 +208,7 @@ QString shownUnit(Measure measure, const DisplayUnits& units) {
 QString shownDistance(const GraphDistance& distance, const DisplayUnits& units) {
   const auto line = [&](const QString& name, const StrokeDistance& stroke) {
     return Differences::
-        tr("%1: mean difference %2 % of the first button's force range, largest %3 % (up to %4 %5, %6 %7)")
+        tr("%1: on average %2 % of the first button's force range apart, at most %3 % (up to %4 %5, %6 %7)")
             .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
                  number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
                  number(units.forceFrom(stroke.max_N)), units.forceSymbol());

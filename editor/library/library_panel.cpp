@@ -170,8 +170,9 @@ void LibraryPanel::setFolder(const QString& folder) { files_.setFolder(folder); 
 void LibraryPanel::showFolderName() {
   const QString name = QDir(files_.folder()).dirName();
   folderButton_->setText(files_.folder().isEmpty() ? tr("Choose a folder…") : name);
-  emptyHint_->setText(files_.folder().isEmpty() ? tr("Choose a folder to list its buttons.")
-                                                : tr("No button files (*.button.json) with this name here."));
+  emptyHint_->setText(files_.folder().isEmpty()
+                          ? tr("Choose a folder to list its buttons.")
+                          : tr("This folder has no button file (*.button.json) with this name."));
   emptyHint_->setVisible(files_.rowCount() == 0);
   filter_->setVisible(!files_.folder().isEmpty());
 }
@@ -210,8 +211,8 @@ void LibraryPanel::openMenu(QPoint at) {
                    [this, selected] { emit compareAllRequested(selected); });
     menu.addSeparator();
   }
-  menu.addAction(tr("Show"), this, [this, document] { emit documentChosen(document); });
-  menu.addAction(tr("Compare with the one shown"), this,
+  menu.addAction(tr("Show this button"), this, [this, document] { emit documentChosen(document); });
+  menu.addAction(tr("Compare with the button shown"), this,
                  [this, document] { emit compareRequested(document); });
   menu.exec(openList_->viewport()->mapToGlobal(at));
 }
@@ -226,7 +227,8 @@ void LibraryPanel::folderMenu(QPoint at) {
     menu.addSeparator();
   }
   menu.addAction(tr("Open"), this, [this, path] { emit fileChosen(path); });
-  menu.addAction(tr("Compare with the one shown"), this, [this, path] { emit compareFileRequested(path); });
+  menu.addAction(tr("Compare with the button shown"), this,
+                 [this, path] { emit compareFileRequested(path); });
   menu.exec(fileList_->viewport()->mapToGlobal(at));
 }
 

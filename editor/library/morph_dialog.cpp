@@ -45,12 +45,12 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
   auto* form = new QFormLayout;
   form->addRow(tr("&From (A):"), from_);
   form->addRow(tr("&To (B):"), to_);
-  auto* name = new QLabel(tr("&Share:"));
+  auto* name = new QLabel(tr("&Share of B:"));
   name->setBuddy(share_);
   form->addRow(name, way);
   auto* ends = new QDialogButtonBox(QDialogButtonBox::Cancel);
   create_ = described(ends->addButton(tr("&Create"), QDialogButtonBox::AcceptRole),
-                      QStringLiteral("morphCreate"), tr("Opens the button in between in a new tab"));
+                      QStringLiteral("morphCreate"), tr("Opens the blended button in a new tab"));
   sides_ = new QBoxLayout(QBoxLayout::TopToBottom);
   auto* rest = new QVBoxLayout;
   rest->addLayout(form);

@@ -30,8 +30,8 @@ FilterBar::FilterBar(const DisplayUnits& units, QWidget* parent) : QWidget(paren
   using importer::SwitchKind;
   for (const SwitchKind kind : {SwitchKind::linear, SwitchKind::between, SwitchKind::tactile})
     kind_->addItem(kindWords(kind), static_cast<int>(kind));
-  add_ = described(new QPushButton(tr("Key &figure from … to …")), "measuredAddRange",
-                   tr("Show only switches with a key figure within limits"));
+  add_ = described(new QPushButton(tr("Filter by key &figure…")), "measuredAddRange",
+                   tr("Show only switches with a key figure within limits that you choose"));
   auto* first = new QHBoxLayout;
   first->addWidget(words_, 1);
   first->addWidget(kind_);

@@ -195,8 +195,8 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
   }
   if (const auto figure = figureOf(section)) {
     if (role == Qt::ToolTipRole)
-      return tr("%1\nThe value after ± is the standard error from the meter's noise and resolution, without "
-                "its calibration")
+      return tr("%1\nThe value after ± is the standard error from the meter's noise and resolution; "
+                "calibration errors are not included")
           .arg(definitionOf(*figure));
     return role == Qt::DisplayRole ? figureTitle(*figure, units_) : QVariant();
   }
@@ -207,12 +207,13 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
       return asTip ? tr("By the tactile drop: linear below 5 gf, tactile above 8 gf, otherwise intermediate")
                    : tr("Kind");
     case distanceColumn:
-      return asTip ? tr("In multiples of the difference between two laboratories on the same switch; below "
-                        "1, two records may be of the same switch")
+      return asTip ? tr("Distance from the reference switch. 1 is the usual difference between two "
+                        "laboratories that measure the same switch; below 1, both may be the same switch")
                    : tr("Distance");
     case forecastColumn:
-      return asTip ? tr("Predicted difference from the reference switch, for the nearest only")
-                   : tr("Prediction");
+      return asTip
+                 ? tr("Predicted difference in feel from the reference switch; only for the nearest switches")
+                 : tr("Prediction");
     case licenceColumn:
       return asTip ? tr("Licence of the measurements, from their folder") : tr("Licence");
     case creditColumn:

@@ -74,9 +74,9 @@ MeasuredWindow::MeasuredWindow(MeasuredContext context, QWidget* parent)
   pages_->addWidget(emptyPage());
   pages_->addWidget(fullPage());
   said_ = namedText("measuredSaid");
-  progress_ = described(new QProgressBar, "measuredProgress", {}, tr("How far the folders are read"));
+  progress_ = described(new QProgressBar, "measuredProgress", {}, tr("Progress of reading the folders"));
   progress_->setRange(0, 1000);
-  cancel_ = actionButton("measuredCancel", tr("Stop"), tr("Stop reading; what was read is kept"),
+  cancel_ = actionButton("measuredCancel", tr("Stop"), tr("Stop reading and keep what was read"),
                          [this] { source_.cancel(); });
   refusedButton_ = actionButton("measuredRefused", tr("Rejected files…"),
                                 tr("Which files were rejected, and why"), [this] { showRefused(); });
@@ -137,14 +137,14 @@ QPushButton* MeasuredWindow::actionButton(const char* name, const QString& text,
 QWidget* MeasuredWindow::emptyPage() {
   emptyWords_ = namedText("measuredEmpty");
   emptyWords_->setText(
-      tr("More than 1,500 key switches have been measured in public. Clone one of these collections "
+      tr("More than 1,500 key switches have been measured in public. Download one of these collections "
          "(force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements "
-         "(CSV, ODS, JSON, button files), and add their folder. Detent ships none; each shows its author and "
-         "licence."));
+         "(CSV, ODS, JSON, button files). Then add their folder. Detent contains no measurements; each one "
+         "shows its author and licence."));
   auto* page = new QWidget;
   auto* row = new QHBoxLayout;
   row->addWidget(actionButton("measuredAddFolder", tr("&Add a folder…"),
-                              tr("Read the measurements of a folder and all below it"),
+                              tr("Read the measurements in a folder and its subfolders"),
                               [this] { askForFolder(); }));
   row->addWidget(actionButton("measuredOpenLibrary", tr("&Open a library…"),
                               tr("Show a library that detent-import has made"), [this] { askForLibrary(); }));
@@ -170,10 +170,10 @@ QToolButton* MeasuredWindow::libraryButton() {
     connect(action, &QAction::triggered, this, act);
     menu->addAction(action);
   };
-  add("measuredAddMore", tr("&Add a folder…"), tr("Read the measurements of a folder and all below it"),
+  add("measuredAddMore", tr("&Add a folder…"), tr("Read the measurements in a folder and its subfolders"),
       [this] { askForFolder(); });
-  add("measuredIndexAgain", tr("&Read the folders again"), tr("Read only files that have changed"),
-      [this] { indexAgain(); });
+  add("measuredIndexAgain", tr("&Read the folders again"),
+      tr("Read the folders again, but only files that have changed"), [this] { indexAgain(); });
   auto* pages = described(new QAction(tr("Include &datasheets"), menu), "measuredPages",
                           tr("Also read force graphs from PDF, SVG and picture files in the folders: some "
                              "seconds per page, once"));
@@ -255,7 +255,7 @@ QWidget* MeasuredWindow::mapView() {
   map_->setMinimumSize(leastPlot_px);
   const auto scaleBox = [this](const char* name, const QString& words, int chosen) {
     auto* box = described(new QComboBox, QString::fromLatin1(name), words, words);
-    for (const int axis : {0, 1}) box->addItem(tr("Principal axis %1").arg(axis + 1), -1 - axis);
+    for (const int axis : {0, 1}) box->addItem(tr("Main difference %1").arg(axis + 1), -1 - axis);
     for (const KeyFigureName& figure : keyFigureNames())
       box->addItem(termOf(figure.figure), static_cast<int>(figure.figure));
     box->setCurrentIndex(chosen);
@@ -265,7 +265,8 @@ QWidget* MeasuredWindow::mapView() {
   mapX_ = scaleBox("measuredMapX", tr("Horizontal axis of the map"), 0);
   mapY_ = scaleBox("measuredMapY", tr("Vertical axis of the map"), 1);
   auto* choice = new QHBoxLayout;
-  for (const auto& [words, box] : {std::pair(tr("Map ho&rizontally"), mapX_), std::pair(tr("&up"), mapY_)}) {
+  for (const auto& [words, box] :
+       {std::pair(tr("Map: ho&rizontal"), mapX_), std::pair(tr("&vertical"), mapY_)}) {
     auto* label = new QLabel(words);
     label->setBuddy(box);
     box->setMinimumContentsLength(12);
@@ -292,9 +293,9 @@ QLayout* MeasuredWindow::actionRow() {
   compareButton_ = actionButton("measuredCompare", tr("&Compare"),
                                 tr("Open two to six selected switches and overlay their curves"),
                                 [this] { openChosen(true); });
-  report_ =
-      actionButton("measuredReport", tr("Write a &page…"),
-                   tr("Write the nearest as a page with plots that can be sent"), [this] { writeReport(); });
+  report_ = actionButton("measuredReport", tr("Write a &page…"),
+                         tr("Write the most similar switches as a web page with plots, to send to others"),
+                         [this] { writeReport(); });
   auto* row = new QHBoxLayout;
   for (QPushButton* button : {likeThis_, openButton_, compareButton_, report_}) row->addWidget(button);
   row->addStretch();
@@ -627,10 +628,11 @@ void MeasuredWindow::sayCredits() {
     said += ratingWords(table_.ratingsOf(*chosen_.begin()));
   }
   if (doubtful > 0)
-    said += ' ' + (names.size() == 1
-                       ? doubtfulScaleWords()
-                       : tr("Forces of %n of them may differ greatly from those of other laboratories.",
-                            nullptr, doubtful));
+    said +=
+        ' ' + (names.size() == 1
+                   ? doubtfulScaleWords()
+                   : tr("Forces of %n of these switches may differ greatly from those of other laboratories.",
+                        nullptr, doubtful));
   credits_->setText(said);
 }
 

@@ -99,11 +99,13 @@ QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& un
                      .arg(termOf(figure), figureText(*sd, figure, units), unitWords(figure, units));
   const QString between = figures.join(QStringLiteral(", "));
   if (spread.units > 1)
-    return ' ' + Measured::tr("%1 records of %2 units. Spread: %3.")
+    return ' ' + Measured::tr("%1 measurements of %2 units of this switch. Spread: %3.")
                      .arg(spread.records)
                      .arg(spread.units)
                      .arg(between);
-  return ' ' + Measured::tr("%1 records of one unit. Spread: %2.").arg(spread.records).arg(between);
+  return ' ' + Measured::tr("%1 measurements of one unit of this switch. Spread: %2.")
+                   .arg(spread.records)
+                   .arg(between);
 }
 
 QString ratingWords(const std::vector<importer::Rating>& ratings) {

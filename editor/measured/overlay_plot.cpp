@@ -102,7 +102,8 @@ void OverlayPlot::drawBand(const QColor& color) {
   upper->setBrush(pale);
   upper->setChannelFillGraph(lower);
   lower->removeFromLegend();
-  upper->setName(tr("press of %n, \u00b1 1 standard deviation", nullptr, static_cast<int>(entries_.size())));
+  upper->setName(
+      tr("press of %n switches, \u00b1 1 standard deviation", nullptr, static_cast<int>(entries_.size())));
 }
 
 void OverlayPlot::redraw() {

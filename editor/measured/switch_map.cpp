@@ -84,7 +84,7 @@ void SwitchMap::setChosen(std::set<SwitchIndex> chosen) {
 QString SwitchMap::titleOf(const MapScale& scale) const {
   if (scale.figure) return figureTitle(*scale.figure, units_);
   const importer::FeelAxis& axis = table_.map().axes[scale.axis];
-  QString name = tr("Principal axis %1").arg(scale.axis + 1);
+  QString name = tr("Main difference %1").arg(scale.axis + 1);
   if (table_.switches().empty()) return name;
   const int share = static_cast<int>(std::lround(percent * axis.share));
   if (!axis.likest) return tr("%1: %2 %").arg(name).arg(share);

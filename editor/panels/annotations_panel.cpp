@@ -63,21 +63,22 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
     : document_(document),
       settings_(settings),
       canvas_(canvas),
-      notes_(listOf("notesList", tr("Notes"), {tr("At"), tr("Note")})),
+      notes_(listOf("notesList", tr("Notes"), {tr("Position"), tr("Note")})),
       versions_(listOf("versionsList", tr("Versions"), {tr("Version"), tr("Created")})),
-      noteText_(described(new QLineEdit, "noteText", tr("Note for the selected point. Enter adds it."),
-                          tr("New note"))),
-      versionName_(described(new QLineEdit, "versionName",
-                             tr("Name for a version of the button as it is now. Enter adds it."),
-                             tr("Name of the version"))),
+      noteText_(described(new QLineEdit, "noteText",
+                          tr("Note for the selected point. Press Enter to add the note."), tr("New note"))),
+      versionName_(described(
+          new QLineEdit, "versionName",
+          tr("Name under which the present state of the button is kept. Press Enter to add the version."),
+          tr("Name of the version"))),
       oneEnd_(described(new QCheckBox(tr("Keep all strokes e&nding at the same travel")), "linkOneEnd",
                         tr("Moving the end of one stroke also moves the ends of all strokes in all states"))),
       releaseFollows_(
-          described(new QCheckBox(tr("Link &release to press, offset")), "linkRelease",
+          described(new QCheckBox(tr("&Release follows press, lower by")), "linkRelease",
                     tr("Edits of the press also move the release. The release keeps its shape."))),
       offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
-                        tr("Mean distance of the release below the press. Another value lowers or raises the "
-                           "whole release."))),
+                        tr("How far the release lies below the press on average. Another value moves the "
+                           "whole release up or down."))),
       pins_(described(new QLabel, "linkPins")) {
   setObjectName("annotationsPanel");
   auto* inside = new QWidget;
@@ -186,7 +187,8 @@ QWidget* AnnotationsPanel::linksBox() {
   column->addLayout(row);
   auto* pinRow = new QHBoxLayout;
   pinRow->addWidget(pins_, 1);
-  unpin_ = addButton(*pinRow, "linkUnpin", tr("Unlock all"), tr("All points can be moved again"));
+  unpin_ = addButton(*pinRow, "linkUnpin", tr("Unlock all"),
+                     tr("Unlock all points, so that they can be moved again"));
   column->addLayout(pinRow);
   offset_->setRange(offsets_N);
   offset_->setKeyboardTracking(false);

@@ -42,7 +42,7 @@ QString sentenceOf(const Warning& warning, const Words& words) {
       return Checks::tr("The release lies %1 above the press at %2. Are press and release swapped?")
           .arg(words.value(), words.place());
     case Rule::strokesDoNotMeet:
-      return Checks::tr("The release begins at %1, %2 away from the end of the press at %3.")
+      return Checks::tr("The release begins at %1, but the press ends at %3 (%2 apart).")
           .arg(words.place(), words.value(), words.against());
     case Rule::noRelease:
       return Checks::tr("There is no release curve; the press curve is used instead.");
@@ -52,26 +52,28 @@ QString sentenceOf(const Warning& warning, const Words& words) {
     case Rule::fallsAtStart:
       return Checks::tr("The press begins with a falling force; the button has no stable rest position.");
     case Rule::hiddenTactilePoint:
-      return Checks::tr("The tactile point of the %1 at %2 lies inside an earlier jump: it is never felt.")
-          .arg(words.stroke(), words.place());
+      return Checks::
+          tr("The tactile point of the %1 at %2 lies inside an earlier jump, so the finger never feels it.")
+              .arg(words.stroke(), words.place());
     case Rule::resetBeyondOperating:
       return Checks::tr("The reset point at %1 lies deeper than the operating point at %2.")
           .arg(words.place(), words.against());
     case Rule::statesDoNotMeet:
-      return Checks::tr("The release ends at %1, %2 away from where the next state starts, %3.")
+      return Checks::tr("The release ends at %1, but the next state starts at %3 (%2 apart).")
           .arg(words.place(), words.value(), words.against());
     case Rule::dampingOutsideTravel:
-      return Checks::tr("Damping is given at %1, outside the travel up to %2.")
+      return Checks::tr("A damping point lies at %1, but the travel ends at %2.")
           .arg(words.place(), words.against());
     case Rule::manyKnots:
-      return Checks::tr("The %1 curve has %2 knots, too many to edit by hand. Refit it with fewer pieces.")
+      return Checks::tr(
+                 "The %1 curve has %2 points, too many to edit by hand. Refit the curve with fewer pieces.")
           .arg(words.stroke(), words.value());
     case Rule::lowConfidence:
       return Checks::tr("The confidence of the import is only %1 %. Compare the curves with the page.")
           .arg(std::lround(100 * warning.value));
     case Rule::speedsGiveEnergy:
       return Checks::tr(
-                 "The release at %1 mm/s lies %2 above the press at %3 mm/s, at %4: the button would return "
+                 "At %4, the release at %1 mm/s lies %2 above the press at %3 mm/s: the button would return "
                  "more energy than it took up.")
           .arg(numberText(warning.spot.speed_mm_per_s.value_or(0), digits), words.value(),
                numberText(warning.against, digits), words.place());

@@ -93,7 +93,7 @@ void ChecksPanel::show(const std::vector<Warning>& warnings) {
 void ChecksPanel::add(const QString& text, bool odd, const WarningPlace& place) {
   auto* item = new QListWidgetItem(
       style()->standardIcon(odd ? QStyle::SP_MessageBoxWarning : QStyle::SP_DialogApplyButton), text, list_);
-  item->setToolTip(place.at_mm ? tr("Press Enter or click to go there") : text);
+  item->setToolTip(place.at_mm ? tr("Click a problem, or press Enter, to go to its place") : text);
   places_.push_back(place);
 }
 

@@ -115,13 +115,13 @@ QWidget* GraphWorkspace::makeBar() {
   row->setContentsMargins(10, 4, 14, 4);
   statesLabel_ = new QLabel(tr("&State"));
   states_ = described(new QComboBox, "stateSwitcher",
-                      tr("The state that is edited; the other one is drawn pale behind it."),
+                      tr("State that you edit; the other state is drawn pale behind it."),
                       tr("State of the button"));
   statesLabel_->setBuddy(states_);
   speedsLabel_ = new QLabel(tr("Sp&eed"));
   speeds_ = described(new QComboBox, "speedSwitcher",
-                      tr("The speed whose graph is edited and used where no speed is known; graphs of other "
-                         "speeds are drawn thin."),
+                      tr("Speed whose graph you edit; it is also used where the speed is not known. Graphs "
+                         "of other speeds are drawn thin."),
                       tr("Speed of the graph"));
   speedsLabel_->setBuddy(speeds_);
   underlayLabel_ = new QLabel(tr("&Page"));
@@ -163,17 +163,19 @@ void GraphWorkspace::makeToolActions() {
   };
   const Entry entries[] = {
       {ToolKind::select, "toolSelect", tr("&Select and move"),
-       tr("Drag tactile points, knots, slope handles and sections"), QKeySequence(Qt::Key_V)},
-      {ToolKind::addKnot, "toolAddKnot", tr("Add &knot"), tr("Click on a curve to add a knot"),
+       tr("Drag tactile points, curve points, slope handles and sections"), QKeySequence(Qt::Key_V)},
+      {ToolKind::addKnot, "toolAddKnot", tr("Add &curve point"), tr("Click a curve to add a curve point"),
        QKeySequence(Qt::Key_K)},
       {ToolKind::addJump, "toolAddJump", tr("Add &jump"),
-       tr("Press where the jump begins, then drag its valley into place"), QKeySequence(Qt::Key_J)},
-      {ToolKind::pan, "toolPan", tr("&Pan"), tr("Drag the view; the middle button does it in every tool"),
-       QKeySequence(Qt::Key_H)},
+       tr("Hold the mouse button where the jump begins, then drag the valley into place"),
+       QKeySequence(Qt::Key_J)},
+      {ToolKind::pan, "toolPan", tr("&Pan"),
+       tr("Drag the view; the middle mouse button does the same in every tool"), QKeySequence(Qt::Key_H)},
       {ToolKind::zoom, "toolZoom", tr("&Zoom to a rectangle"),
        tr("Drag a rectangle to zoom in; a click zooms in"), QKeySequence(Qt::Key_Z)},
       {ToolKind::measure, "toolMeasure", tr("&Measure"),
-       tr("Drag from one place to another: travel, force and slope between them"), QKeySequence(Qt::Key_M)},
+       tr("Drag from one place to another to measure travel, force and slope between them"),
+       QKeySequence(Qt::Key_M)},
   };
   auto* group = new QActionGroup(this);
   for (const Entry& entry : entries) {
@@ -206,26 +208,27 @@ void GraphWorkspace::makeEditActions() {
                 tr("Copies the selected part of the curve as text, or the whole button"), QKeySequence::Copy,
                 [this] { copySelected(); });
   deleteAction_ = addEditAction(selection, "editDelete", tr("&Delete"),
-                                tr("Removes the selected knot, jump, operating or reset point"),
+                                tr("Removes the selected curve point, jump, operating or reset point"),
                                 QKeySequence::Delete, [&hands] { hands.removeSelected(); });
   addEditAction(selection, "editSelectAll", tr("Select &all"),
-                tr("Selects all knots, operating and reset point"), QKeySequence::SelectAll,
+                tr("Selects all curve points, operating and reset point"), QKeySequence::SelectAll,
                 [&hands] { hands.selectAll(); });
   cornerAction_ = addEditAction(arrangement, "editCorner", tr("&Corner or smooth"),
-                                tr("Turns the selected knot into a corner, or smooths it"), Qt::Key_C,
-                                [&hands] { hands.toggleSelectedCorner(); });
+                                tr("Turns the selected curve point into a corner, or makes it smooth"),
+                                Qt::Key_C, [&hands] { hands.toggleSelectedCorner(); });
   severalActions_ = {
       addEditAction(arrangement, "editAlignForce", tr("Align to the same &force"),
-                    tr("Brings the selected knots to the force of the last one"), QKeySequence("Alt+Shift+F"),
+                    tr("Moves the selected points to the force of the last one"), QKeySequence("Alt+Shift+F"),
                     [&hands] { hands.align(GraphDirection::force); }),
       addEditAction(arrangement, "editAlignDisplacement", tr("Align to the same &displacement"),
-                    tr("Brings the selected knots to the displacement of the last one"),
+                    tr("Moves the selected points to the displacement of the last one"),
                     QKeySequence("Alt+Shift+D"), [&hands] { hands.align(GraphDirection::displacement); }),
       addEditAction(arrangement, "editDistributeDisplacement", tr("Distribute over d&isplacement"),
-                    tr("Puts the selected knots of a stroke at equal distances"), QKeySequence("Alt+Shift+X"),
+                    tr("Spaces the selected points of a stroke evenly over the travel"),
+                    QKeySequence("Alt+Shift+X"),
                     [&hands] { hands.distribute(GraphDirection::displacement); }),
       addEditAction(arrangement, "editDistributeForce", tr("Distribute over f&orce"),
-                    tr("Puts the selected knots of a stroke at equal steps of force"),
+                    tr("Spaces the selected points of a stroke evenly over the force"),
                     QKeySequence("Alt+Shift+Y"), [&hands] { hands.distribute(GraphDirection::force); })};
   editActions_[operations] = operations_->actions();
 }
@@ -305,10 +308,10 @@ void GraphWorkspace::makeViewActions() {
             reverse_->fit();
             damping_->fit();
           });
-  connect(addViewAction("viewZoomIn", tr("Zoom &in"),
-                        tr("The wheel zooms at the pointer; with Alt displacement "
-                           "alone, with Ctrl force alone"),
-                        QKeySequence::ZoomIn),
+  connect(addViewAction(
+              "viewZoomIn", tr("Zoom &in"),
+              tr("The mouse wheel zooms at the pointer; with Alt only displacement, with Ctrl only force"),
+              QKeySequence::ZoomIn),
           &QAction::triggered, this, [zoom] { zoom(1.25); });
   connect(addViewAction("viewZoomOut", tr("Zoom &out"), tr("Shows a larger part of the graph"),
                         QKeySequence::ZoomOut),
@@ -321,17 +324,18 @@ void GraphWorkspace::makeViewActions() {
             if (on) reverse_->fit();
           });
   dampingShown_ = addViewSwitch("viewDamping", tr("&Damping"),
-                                tr("Damping b(x) over displacement, if the button has damping"), true);
+                                tr("Damping over displacement, if the button has damping"), true);
   connect(dampingShown_, &QAction::toggled, this, &GraphWorkspace::followDocument);
   residualsShown_ =
-      addViewSwitch("viewResiduals", tr("&Traced points and residuals"),
-                    tr("The traced points and the deviation of the curve from them, enlarged ten times"),
+      addViewSwitch("viewResiduals", tr("&Traced points and deviations"),
+                    tr("The traced points and how far the curve deviates from them, enlarged ten times"),
                     settings_.residualsShown());
   connect(residualsShown_, &QAction::toggled, &settings_, &ViewSettings::setResidualsShown);
   connect(addViewSwitch("viewMagnifier", tr("&Magnifier"),
                         tr("Magnifies the graph five times while you drag"), true),
           &QAction::toggled, canvas_, &GraphCanvas::setMagnifierShown);
-  connect(addViewSwitch("viewHandles", tr("&Knots"), tr("Show knots, valleys and peaks on the curves"), true),
+  connect(addViewSwitch("viewHandles", tr("C&urve points"),
+                        tr("Show curve points, valleys and peaks on the curves"), true),
           &QAction::toggled, canvas_, &GraphCanvas::setHandlesShown);
   addSeparator(viewActions_);
   addSnapActions();

@@ -10,8 +10,8 @@ HistoryPanel::HistoryPanel(ButtonDocument& document, QWidget* parent)
     : QWidget(parent), view_(new QUndoView(&document.history().stack())) {
   setObjectName(QStringLiteral("historyPanel"));
   view_->setObjectName(QStringLiteral("historyView"));
-  view_->setAccessibleName(tr("Steps of this button"));
-  view_->setToolTip(tr("Every step since the button was opened; click one to go there."));
+  view_->setAccessibleName(tr("Editing steps of this button"));
+  view_->setToolTip(tr("Every editing step since the button was opened. Click one to return to it."));
   view_->setEmptyLabel(!document.path().isEmpty()       ? tr("Opened")
                        : document.button().provenance() ? tr("Imported")
                                                         : tr("New"));

@@ -52,7 +52,7 @@ QString definitionOf(KeyFigure figure) {
   using enum KeyFigure;
   switch (figure) {
     case initialForce:
-      return KeyFiguresModel::tr("Force at the start of the press; with a preload, the preload.");
+      return KeyFiguresModel::tr("Force at the start of the press; this is the preload, if there is one.");
     case preTravel:
       return KeyFiguresModel::tr("Displacement of the operating point (PT).");
     case operatingForce:
@@ -75,7 +75,7 @@ QString definitionOf(KeyFigure figure) {
     case slopeToPeak:
       return KeyFiguresModel::tr("Mean slope from the start to the peak; without a peak, to the bottom-out.");
     case slopeOfDrop:
-      return KeyFiguresModel::tr("Mean slope from the peak to the valley; below 0.");
+      return KeyFiguresModel::tr("Mean slope from the peak to the valley (a negative value).");
     case slopeToBottomOut:
       return KeyFiguresModel::tr("Mean slope from the valley to the bottom-out.");
     case resetTravel:
@@ -88,10 +88,10 @@ QString definitionOf(KeyFigure figure) {
       return KeyFiguresModel::tr("From the operating point to the end of the press (OT).");
     case bottomOutForce:
       return KeyFiguresModel::tr(
-          "Force at the start of the bottom-out; without one, at the end of the travel.");
+          "Force where the bottom-out starts; without a bottom-out, at the end of the travel.");
     case bottomOutTravel:
       return KeyFiguresModel::tr(
-          "Displacement at the start of the bottom-out; without one, the end of the travel.");
+          "Displacement where the bottom-out starts; without a bottom-out, the end of the travel.");
     case totalTravel:
       return KeyFiguresModel::tr("Displacement of the end of the press (TT).");
     case endForce:
@@ -281,7 +281,7 @@ QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, i
   }
   if (role == Qt::ToolTipRole) {
     if (section == now) return tr("Changes apply immediately; locked figures don't move.");
-    if (section == wanted) return tr("Targets are solved together; the dashed curve previews the result.");
+    if (section == wanted) return tr("All targets are met together; the dashed curve previews the result.");
     if (section == keep) return tr("Locked figures stay as they are while others change.");
   }
   if (role != Qt::DisplayRole) return {};
@@ -360,7 +360,7 @@ QString KeyFiguresModel::absenceOf(const QModelIndex& index) const {
     default:
       break;
   }
-  return tr("The curve is too short there for a slope or ratio.");
+  return tr("This part of the curve is too short for a slope or ratio.");
 }
 
 bool KeyFiguresModel::setData(const QModelIndex& index, const QVariant& value, int role) {

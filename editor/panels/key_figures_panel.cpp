@@ -56,7 +56,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       meaning_(described(new QLabel, "keyFigureMeaning")),
       trouble_(new TroubleLabel("keyFiguresTrouble")),
       all_(described(new QCheckBox(tr("A&ll figures")), "allFigures",
-                     tr("Show all key figures, not the most used alone"))),
+                     tr("Show all key figures, not only the most used ones"))),
       take_(described(new QPushButton(tr("&Apply")), "takeFigures",
                       tr("Change the curve to the target figures"))),
       giveUp_(described(new QPushButton(tr("&Cancel")), "giveUpFigures", tr("Clear all targets"))),

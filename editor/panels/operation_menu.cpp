@@ -32,36 +32,42 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
   };
   add("operationAddJump", tr("Add &jump…"), tr("Add a tactile point with its valley by entering numbers"),
       key(Qt::Key_J), addJumpOperation, always);
-  add("operationRemoveJump", tr("&Remove jump…"), tr("A straight line instead of tactile point and valley"),
-      {}, removeJumpOperation, hasTactilePoint);
-  add("operationSnapRatio", tr("Snap r&atio…"), tr("How deep the valley lies below the tactile force"),
+  add("operationRemoveJump", tr("&Remove jump…"),
+      tr("Replace a tactile point and its valley by a straight line"), {}, removeJumpOperation,
+      hasTactilePoint);
+  add("operationSnapRatio", tr("Snap r&atio…"), tr("Set how deep the valley lies below the tactile force"),
       key(Qt::Key_R), snapRatioOperation, pressHasTactilePoint);
-  add("operationMakeLinear", tr("Make &linear…"), tr("A straight line up to the bottom-out"), key(Qt::Key_L),
-      makeLinearOperation, always);
+  add("operationMakeLinear", tr("Make &linear…"),
+      tr("Replace the curve by a straight line up to the bottom-out"), key(Qt::Key_L), makeLinearOperation,
+      always);
   addSeparator();
   add("operationMirror", tr("&Mirror press to release…"),
-      tr("A release curve from the press, with hysteresis"), key(Qt::Key_M), mirrorOperation, always);
-  add("operationRemoveRelease", tr("Remove release &curve…"), tr("Release will follow the press curve"), {},
-      removeReleaseOperation, hasRelease);
-  add("operationScaleForce", tr("Scale &force…"), tr("All forces by one factor"), key(Qt::Key_F),
+      tr("Create a release curve from the press, with hysteresis"), key(Qt::Key_M), mirrorOperation, always);
+  add("operationRemoveRelease", tr("Remove release &curve…"),
+      tr("Remove the release curve; the release follows the press curve"), {}, removeReleaseOperation,
+      hasRelease);
+  add("operationScaleForce", tr("Scale &force…"), tr("Multiply all forces by one factor"), key(Qt::Key_F),
       scaleForceOperation, always);
-  add("operationScaleTravel", tr("Scale &travel…"), tr("All displacements by one factor"), key(Qt::Key_T),
-      scaleTravelOperation, always);
-  add("operationRefit", tr("Ref&it curve…"), tr("Number of pieces"), key(Qt::Key_I), refitOperation,
-      hasOrigin);
+  add("operationScaleTravel", tr("Scale &travel…"), tr("Multiply all displacements by one factor"),
+      key(Qt::Key_T), scaleTravelOperation, always);
+  add("operationRefit", tr("Ref&it curve…"),
+      tr("Fit the curves to the traced points again, with another number of pieces"), key(Qt::Key_I),
+      refitOperation, hasOrigin);
   addSeparator();
-  add("operationContacts", tr("&Operating and reset point…"), tr("Where the contact closes and opens"),
+  add("operationContacts", tr("&Operating and reset point…"), tr("Set where the contact closes and opens"),
       key(Qt::Key_O), contactsOperation, always);
-  add("operationDamping", tr("&Damping…"), tr("b(x) for force feedback, on or off"), key(Qt::Key_D),
+  add("operationDamping", tr("&Damping…"), tr("Switch damping for force feedback on or off"), key(Qt::Key_D),
       dampingOperation, always);
   addSeparator();
   add("operationTwoLevel", tr("T&wo-level button…"),
-      tr("Two tactile points, as on a camera's shutter button"), {}, twoLevelOperation, always);
-  add("operationSelfLocking", tr("&Self-locking button…"), tr("Two states that alternate at each actuation"),
-      {}, selfLockingOperation, always);
-  add("operationAddState", tr("Add stat&e…"), tr("A second state, as a copy of this one"), {},
+      tr("Replace the curves by ones with two tactile points, as on a camera's shutter button"), {},
+      twoLevelOperation, always);
+  add("operationSelfLocking", tr("&Self-locking button…"),
+      tr("Replace the button by one with two states that alternate at each actuation"), {},
+      selfLockingOperation, always);
+  add("operationAddState", tr("Add stat&e…"), tr("Add a second state, as a copy of this one"), {},
       addStateOperation, hasOneState);
-  add("operationRemoveState", tr("Remo&ve state…"), tr("Only the other state remains"), {},
+  add("operationRemoveState", tr("Remo&ve state…"), tr("Remove this state; only the other state remains"), {},
       removeStateOperation, hasTwoStates);
   updateActions();
   connect(&document_, &ButtonDocument::originChanged, this, [this] {

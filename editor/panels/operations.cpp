@@ -25,7 +25,8 @@ OperationField numberField(FieldKind kind, const QString& name, double value, do
 }
 
 OperationField strokeField(const OperationTarget& target) {
-  OperationField field{tr("Stroke"), FieldKind::choice, 0, 0, 0, tr("Which curve is changed"), {tr("press")}};
+  OperationField field{tr("Stroke"), FieldKind::choice, 0, 0, 0, tr("Curve that this command changes"),
+                       {tr("press")}};
   if (target.graph().release()) {
     field.choices << tr("release");
     if (target.selected && target.selected->stroke == Stroke::release) field.value = 1;
@@ -103,17 +104,18 @@ Result<StrokeCurve> refitted(const importer::StrokePoints& traced, Stroke stroke
 
 Operation addJumpOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm();
-  Operation op{tr("Add jump"),
-               tr("From a new tactile point the force falls into a valley and returns to the curve; on the "
-                  "release stroke it rises to a peak."),
-               {strokeField(target),
-                numberField(FieldKind::length, tr("At"), selectedPlace(target, 0.35 * travel), 0, travel,
-                            tr("Displacement of the tactile point")),
-                numberField(FieldKind::length, tr("Width"), 0.15 * travel, 0, travel,
-                            tr("From the tactile point to where the curve goes on")),
-                numberField(FieldKind::force, tr("Drop"), 0.2 * highestForce(target), 0,
-                            10 * highestForce(target), tr("From the tactile force to the valley"))},
-               {}};
+  Operation op{
+      tr("Add jump"),
+      tr("Adds a tactile point: from it, the force falls into a valley and then returns to the curve. On the "
+         "release stroke, the force rises to a peak instead."),
+      {strokeField(target),
+       numberField(FieldKind::length, tr("Tactile point at"), selectedPlace(target, 0.35 * travel), 0, travel,
+                   tr("Displacement of the tactile point")),
+       numberField(FieldKind::length, tr("Width"), 0.15 * travel, 0, travel,
+                   tr("Travel from the tactile point to where the jump rejoins the curve")),
+       numberField(FieldKind::force, tr("Drop"), 0.2 * highestForce(target), 0, 10 * highestForce(target),
+                   tr("Force difference between tactile point and valley"))},
+      {}};
   op.edit = [state = target.state](const Button& start, const Values& v) {
     return editOne(start, state, strokeOf(v[0]), [&](const StrokeCurve& curve) {
       return addJump(curve, strokeOf(v[0]), {v[1], v[2], v[3]});
@@ -141,7 +143,10 @@ Operation makeLinearOperation(const OperationTarget& target) {
     which.value = 2;
   }
   Operation op{
-      tr("Make linear"), tr("A straight line from the start to the bottom-out, which stays."), {which}, {}};
+      tr("Make linear"),
+      tr("Replaces the curve by a straight line from the start to the bottom-out. The bottom-out stays."),
+      {which},
+      {}};
   op.edit = [state = target.state](const Button& start, const Values& v) -> Result<Button> {
     const auto linear = [](const StrokeCurve& curve) { return makeLinear(curve); };
     if (v[0] < 1.5) return editOne(start, state, strokeOf(v[0]), linear);
@@ -154,8 +159,8 @@ Operation makeLinearOperation(const OperationTarget& target) {
 Operation mirrorOperation(const OperationTarget& target) {
   const double high = highestForce(target);
   Operation op{tr("Mirror press to release"),
-               tr("The release becomes the press curve, lowered by the hysteresis. Where the press force is "
-                  "less than twice the hysteresis, the distance is reduced in proportion."),
+               tr("The release becomes a copy of the press curve, lowered by the hysteresis. Where the press "
+                  "force is below twice the hysteresis, the copy is lowered by less."),
                {numberField(FieldKind::force, tr("Hysteresis"), 0.15 * high, 0, 10 * high,
                             tr("How far the release lies below the press"))},
                {}};
@@ -167,7 +172,7 @@ Operation mirrorOperation(const OperationTarget& target) {
 }
 
 Operation removeReleaseOperation(const OperationTarget& target) {
-  Operation op{tr("Remove release curve"), tr("Release will follow the press curve."), {}, {}};
+  Operation op{tr("Remove release curve"), tr("The release will follow the press curve."), {}, {}};
   op.edit = [state = target.state](const Button& start, const Values&) {
     return editGraph(start, state, [](const ForceGraph& graph) { return removeRelease(graph); });
   };
@@ -176,9 +181,9 @@ Operation removeReleaseOperation(const OperationTarget& target) {
 
 Operation scaleForceOperation(const OperationTarget& target) {
   Operation op{tr("Scale force"),
-               tr("All forces of all states; damping follows."),
+               tr("Scales all forces of all states, and the damping with them."),
                {numberField(FieldKind::force, tr("Highest force"), target.values.highest_N, 1e-4,
-                            100 * highestForce(target), tr("Of this state, after scaling"))},
+                            100 * highestForce(target), tr("Highest force of this state after scaling"))},
                {}};
   op.edit = [high = target.values.highest_N](const Button& start, const Values& v) -> Result<Button> {
     if (v[0] == high) return start;
@@ -190,9 +195,9 @@ Operation scaleForceOperation(const OperationTarget& target) {
 Operation scaleTravelOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm();
   Operation op{tr("Scale travel"),
-               tr("All displacements of all states, with operating and reset points."),
+               tr("Scales all displacements of all states, including operating and reset points."),
                {numberField(FieldKind::length, tr("Travel"), travel, 1e-3, 100 * travel,
-                            tr("Of this state, after scaling"))},
+                            tr("Highest force of this state after scaling"))},
                {}};
   op.edit = [travel](const Button& start, const Values& v) -> Result<Button> {
     if (v[0] == travel) return start;
@@ -232,17 +237,18 @@ Operation snapRatioOperation(const OperationTarget& target) {
 Operation refitOperation(const OperationTarget& target) {
   const auto& origin = *target.origin;
   const auto pieces = [](const StrokeCurve& curve) { return static_cast<double>(curve.knots().size() - 1); };
-  Operation op{tr("Refit curve"),
-               tr("Fits the curves again to the traced points, with the number of pieces you choose. "
-                  "Replaces edits by hand."),
-               {numberField(FieldKind::count, tr("Pieces of the press"), pieces(target.graph().press()), 1,
-                            200, tr("More follow the points closer, fewer are easier to shape"))},
-               {}};
+  Operation op{
+      tr("Refit curve"),
+      tr("Fits the curves to the traced points again, with as many pieces as you choose. Replaces changes "
+         "made by hand."),
+      {numberField(FieldKind::count, tr("Pieces of the press curve"), pieces(target.graph().press()), 1, 200,
+                   tr("More pieces follow the points more closely; fewer are easier to edit"))},
+      {}};
   op.slow = true;
   if (origin.strokes.release)
-    op.fields.push_back(numberField(FieldKind::count, tr("Pieces of the release"),
-                                    pieces(target.graph().curve(Stroke::release)), 1, 200,
-                                    tr("More follow the points closer, fewer are easier to shape")));
+    op.fields.push_back(numberField(
+        FieldKind::count, tr("Pieces of the release curve"), pieces(target.graph().curve(Stroke::release)), 1,
+        200, tr("More pieces follow the points more closely; fewer are easier to edit")));
   // Noise as in the importer: a third of a pixel, or a thousandth of the span for force logs.
   importer::PointNoise noise{1e-3 * target.graph().travel_mm(), 1e-3 * highestForce(target)};
   if (origin.evidence) {
@@ -299,11 +305,11 @@ Operation dampingOperation(const OperationTarget& target) {
   }
   Operation op{
       tr("Damping"),
-      tr("Force in proportion to velocity, for force feedback devices. Shape it in the damping view."),
+      tr("Adds a force proportional to velocity, for force feedback devices. Edit it in the damping view."),
       {{tr("Damping"), FieldKind::choice, 1, 0, 0, {}, {tr("off"), tr("on")}},
-       numberField(FieldKind::damping, tr("At the start"), start, 0, 1000, tr("N·s/mm at 0 mm")),
+       numberField(FieldKind::damping, tr("At the start"), start, 0, 1000, tr("Damping in N·s/mm at 0 mm")),
        numberField(FieldKind::damping, tr("At the end"), end, 0, 1000,
-                   tr("N·s/mm at the end of the travel"))},
+                   tr("Damping in N·s/mm at the end of the travel"))},
       {}};
   op.edit = [index = target.state, travel](const Button& before, const Values& v) {
     std::vector<DampingPoint> points;
@@ -333,7 +339,7 @@ Result<Button> stretched(const Button& plain, double travelFactor, double highes
 Operation twoLevelOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm(), high = highestForce(target);
   Operation op{tr("Two-level button"),
-               tr("Replaces the curves of this state by a button with two tactile points, the second one "
+               tr("Replaces the curves of this state by a button with two tactile points. The second one is "
                   "stronger, as on a camera's shutter button."),
                {numberField(FieldKind::length, tr("Travel"), travel, 1e-3, 100 * travel),
                 numberField(FieldKind::force, tr("Highest force"), high, 1e-3, 100 * high)},

@@ -55,7 +55,7 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
       row_(new SelectedRow(*model_, this)),
       title_(described(new QLabel, "selectionTitle")),
       trouble_(new TroubleLabel("selectionTrouble")),
-      table_(described(new ValueTable, "selectionTable", {}, tr("Numbers of the selected point"))) {
+      table_(described(new ValueTable, "selectionTable", {}, tr("Values of the selected point"))) {
   setObjectName(QStringLiteral("selectionPanel"));
   QFont bold = title_->font();
   bold.setBold(true);

@@ -27,7 +27,7 @@ QString shortName(MarkId mark) {
     case MarkKind::turn:
       return ValuesModel::tr("Valley or peak %1").arg(number);
     case MarkKind::knot:
-      return ValuesModel::tr("Knot %1").arg(number);
+      return ValuesModel::tr("Curve point %1").arg(number);
     case MarkKind::section:
       return ValuesModel::tr("Section %1").arg(number);
     default:
@@ -84,7 +84,7 @@ std::vector<ValuesModel::Row> ValuesModel::rowsNow() const {
         values.turns.size());
     add(press ? tr("Press: sections (end point)") : tr("Release: sections (end point)"), MarkKind::section,
         values.sections.size());
-    add(press ? tr("Press: knots") : tr("Release: knots"), MarkKind::knot,
+    add(press ? tr("Press: curve points") : tr("Release: curve points"), MarkKind::knot,
         state().graph.curve(stroke).knots().size());
   }
   if (state().operatingPoint_mm || state().resetPoint_mm) rows.push_back({{}, tr("Contact")});
@@ -207,8 +207,8 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Horizontal && role == Qt::ToolTipRole) {
-    if (section == slopeBefore) return tr("Slope on the knot's left side");
-    if (section == slopeAfter) return tr("Slope on the knot's right side; of a section, from end to end");
+    if (section == slopeBefore) return tr("Slope left of the curve point");
+    if (section == slopeAfter) return tr("Slope right of the curve point; of a section, from end to end");
   }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   const DisplayUnits& units = settings_.units();

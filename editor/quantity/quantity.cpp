@@ -153,13 +153,13 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
                  ? tr("“%1” is not a unit for this value. Type the number alone.").arg(reading.culprit)
                  : tr("“%1” is not a known unit. Type for example %2.").arg(reading.culprit, example);
     case QuantityTrouble::otherQuantity:
-      return symbol.isEmpty()
-                 ? tr("“%1” has a unit. Enter a number without one.").arg(reading.culprit)
-                 : tr("“%1” measures something else. Type a number in %2.").arg(reading.culprit, symbol);
+      return symbol.isEmpty() ? tr("“%1” has a unit. Type a number without a unit.").arg(reading.culprit)
+                              : tr("The unit in “%1” does not suit this field. Type a number in %2.")
+                                    .arg(reading.culprit, symbol);
     case QuantityTrouble::mixedUnits:
       return tr("Give every number in “%1” a unit.").arg(reading.culprit);
     case QuantityTrouble::nothingToChange:
-      return tr("“%1” changes a value, and there is none yet. Type for example %2.")
+      return tr("“%1” changes the present value, but the field is empty. Type for example %2.")
           .arg(reading.culprit, example);
     case QuantityTrouble::notWhole:
       return tr("“%1” is not a whole number. Type a number without decimals.").arg(reading.culprit);

@@ -132,8 +132,8 @@ QWidget* ExperimenterDialog::peopleTable() {
 
 QLayout* ExperimenterDialog::nextForm() {
   participant_ = described(new QLineEdit, "studyParticipant",
-                           tr("Letters, digits, - and _; not a person's name. A participant in the list "
-                              "continues with the question they had reached"));
+                           tr("Use letters, digits, - and _, not a person's name. Participants in the list "
+                              "continue with the question that they had reached"));
   answers_ = comboBox(
       "studyAnswers",
       tr("Rehearsals and simulated answers are marked in every row and on every page of the report"));
@@ -147,16 +147,16 @@ QLayout* ExperimenterDialog::nextForm() {
   headphones_ = described(new QLineEdit, "studyHeadphones",
                           tr("Sound device of the headphones that play rain noise; turn up the volume until "
                              "the vibration is inaudible"));
-  headphones_->setPlaceholderText(tr("on the output channels after those of the vibration"));
+  headphones_->setPlaceholderText(tr("on the channels after those of the vibration"));
   sensor_ = comboBoxOfNames(
       "studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's device "
                         "profile. If empty, participants press with keys or large on-screen buttons"));
   sensor_->setEditable(true);
   sensor_->addItem(QString());
   sensor_->addItems(serialPorts());
-  force_ =
-      described(new QCheckBox(tr("force device of the Feel panel")), "studyForce",
-                tr("The button is felt and pressed on this device; choose it in the Feel panel under Setup"));
+  force_ = described(
+      new QCheckBox(tr("force device of the Feel panel")), "studyForce",
+      tr("Participants press and feel the buttons on this device. Choose it in the Feel panel under Setup"));
   language_ = comboBox("studyLanguage", tr("Language of all texts that the participant reads"));
   for (const QString& code : ParticipantLanguage::carried())
     addChoice(language_, code == "en" ? QStringLiteral("English") : QLocale(code).nativeLanguageName(), code);
@@ -293,7 +293,7 @@ Result<Done> ExperimenterDialog::startPerson(playback::Study opened) {
     if (!force) return force.failure();
     if (!*force)
       return Failure{FailureCode::wrongUsage, "force device", "", Message("none is chosen"),
-                     Message("Choose one in the Feel panel under Setup")};
+                     Message("Choose a force device in the Feel panel under Setup")};
     settings.force = *std::move(force);
   }
   work.sensor = !settings.sensorPort.empty() || settings.force;
@@ -376,7 +376,7 @@ void ExperimenterDialog::showProgress(const StudyProgress& progress) {
       case StudyProgress::At::words:
         return tr("reads the instructions");
       case StudyProgress::At::question:
-        return tr("is at a question");
+        return tr("is answering a question");
       case StudyProgress::At::rest:
         return tr("is resting");
       case StudyProgress::At::pause:

@@ -48,9 +48,9 @@ QuantityField* countField(const char* name, std::size_t least, std::size_t most,
 }
 
 QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
-  auto* box = described(
-      new QCheckBox(text), name,
-      StudyMaker::tr("Every pair is presented with each of these, in random order and without names"));
+  auto* box = described(new QCheckBox(text), name,
+                        StudyMaker::tr("Kind of feedback. Every pair is presented with each kind that is "
+                                       "ticked, in random order and without names"));
   box->setChecked(checked);
   return box;
 }
@@ -119,25 +119,27 @@ QLayout* StudyMaker::designForm() {
   addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
   addChoice(kind_, tr("Are the two the same?"), static_cast<int>(playback::StudyKind::sameDifferent));
   addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
-  addChoice(kind_, tr("Which of two has more? A threshold"),
+  addChoice(kind_, tr("Which of two has more? (threshold)"),
             static_cast<int>(playback::StudyKind::threshold));
-  addChoice(kind_, tr("How is it? A rating"), static_cast<int>(playback::StudyKind::rating));
-  addChoice(kind_, tr("When is it pressed? Timing"), static_cast<int>(playback::StudyKind::timing));
+  addChoice(kind_, tr("How is it? (rating)"), static_cast<int>(playback::StudyKind::rating));
+  addChoice(kind_, tr("When is it pressed? (timing)"), static_cast<int>(playback::StudyKind::timing));
   quantity_ =
-      comboBox("makerQuantity", tr("The quantity that is increased; the amount follows from the answers"));
+      comboBox("makerQuantity", tr("Quantity that is increased. The study adapts the amount to the answers"));
   for (const auto& [text, quantity] :
        {std::pair{tr("force"), playback::LevelQuantity::peakForce},
         std::pair{tr("strength of the click"), playback::LevelQuantity::eventSize},
         std::pair{tr("travel"), playback::LevelQuantity::travel},
         std::pair{tr("snap"), playback::LevelQuantity::snap},
-        std::pair{tr("roughness on the way"), playback::LevelQuantity::grainStrength}})
+        std::pair{tr("roughness along the travel"), playback::LevelQuantity::grainStrength}})
     addChoice(quantity_, text, static_cast<int>(quantity));
-  scale_ = comboBox("makerScale", tr("How it is rated"));
-  addChoice(scale_, tr("how much one likes it, 1 to 7"), static_cast<int>(playback::RatingScale::preference));
-  addChoice(scale_, tr("how strong it is, any number"), static_cast<int>(playback::RatingScale::magnitude));
+  scale_ = comboBox("makerScale", tr("How buttons are rated"));
+  addChoice(scale_, tr("how much people like it, 1 to 7"),
+            static_cast<int>(playback::RatingScale::preference));
+  addChoice(scale_, tr("how strong it is, rated with any number"),
+            static_cast<int>(playback::RatingScale::magnitude));
   addChoice(scale_, tr("which of two is better"), static_cast<int>(playback::RatingScale::pairwise));
   trials_ = countField("makerTrials", 1, playback::mostTrials, playback::StudyDesign{}.trials,
-                       tr("Questions for each pair or button, and kind of feedback"));
+                       tr("Number of questions for each pair or button and each kind of feedback"));
   practice_ = countField("makerPractice", 0, playback::mostPractice, usualPractice,
                          tr("Practice questions, which do not count"));
   makeTimingFields();
@@ -185,20 +187,20 @@ QLayout* StudyMaker::designForm() {
 
 void StudyMaker::makeTimingFields() {
   const playback::StudyDesign usual;
-  task_ = comboBox("makerTask", tr("What it is pressed with, or how fast"));
+  task_ = comboBox("makerTask", tr("When or how fast participants press the button"));
   addChoice(task_, tr("with the last of four beats"), static_cast<int>(playback::TimingTask::cue));
   addChoice(task_, tr("while a ball is in its window"), static_cast<int>(playback::TimingTask::window));
   addChoice(task_, tr("as fast as can be kept up"), static_cast<int>(playback::TimingTask::tapping));
   intervals_ =
       numbersField("makerIntervals", usual.intervals_s,
-                   tr("Between beats, or from the ball's start to its window; separate several with "
-                      "semicolons, %1 to %2 s")
+                   tr("Time between beats, or from the ball's start to its window, %1 to %2 s. Separate "
+                      "several with semicolons")
                        .arg(numberText(playback::leastInterval_s), numberText(playback::mostInterval_s)));
   windows_ = numbersField("makerWindows", usual.windows_s,
-                          tr("How long the window is open; separate several with semicolons, %1 to %2 s")
+                          tr("How long the window is open, %1 to %2 s. Separate several with semicolons")
                               .arg(numberText(playback::leastWindow_s), numberText(playback::mostWindow_s)));
   run_s_ = described(new QuantityField(Quantity::number, {}), "makerRun",
-                     tr("From the first press on, %1 to %2")
+                     tr("Seconds from the first press, %1 to %2")
                          .arg(numberText(playback::shortestRun_s), numberText(playback::longestRun_s)));
   run_s_->setRange({playback::shortestRun_s, playback::longestRun_s});
   run_s_->setValue(usual.run_s);

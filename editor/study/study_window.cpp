@@ -181,7 +181,7 @@ QString StudyWindow::answerWords() const {
     case playback::LevelQuantity::grainStrength:
       break;
   }
-  return words("%1 feels rougher on the way");
+  return words("%1 feels rougher while it moves");
 }
 
 TrialWords StudyWindow::trialWords() const {
@@ -195,7 +195,7 @@ TrialWords StudyWindow::trialWords() const {
   said.space = words("space bar");
   said.enter = words("Enter");
   said.backspace = words("Backspace");
-  said.takeBack = words("Take back");
+  said.takeBack = words("Delete");
   said.take = words("This is my number");
   said.least = words("1: I do not like it at all");
   said.most = words("7: I like it very much");
@@ -220,41 +220,42 @@ QString StudyWindow::taskWords() const {
         break;
     }
     return words(
-               "Press again and again, as fast as you can keep up, until it says stop: %1 seconds from your "
+               "Press again and again, as fast as you can, until you are told to stop: %1 seconds from your "
                "first press.")
         .arg(design.run_s);
   }
   if (design.scale == playback::RatingScale::pairwise)
     return words("Feel both, then say which one is better. There is no right or wrong.");
   if (design.scale == playback::RatingScale::preference)
-    return words("Feel it, then say how much you like it. There is no right or wrong.");
+    return words("Feel the button, then say how much you like it. There is no right or wrong.");
   return words(
-      "Feel it, then give a number for how strong it feels: what feels twice as strong gets twice the "
-      "number. Any number above 0 will do.");
+      "Feel the button, then give a number for how strong it feels: what feels twice as strong gets twice "
+      "the number. Any number above 0 will do.");
 }
 
 QString StudyWindow::howWords() const {
   if (work_.force)
     return (isTimed() ? words("Press the button under your finger.")
                       : words("Choose one, then press the button under your finger.")) +
-           " " + words("Escape takes the force away at once.");
+           " " + words("Press Escape to switch the force off at once.");
   if (isTimed())
     return work_.sensor ? words("Press the button under your finger.")
-                        : words("The space bar presses, or the large field on the screen.");
+                        : words("Press the space bar, or the large field on the screen.");
   return work_.sensor ? words("Choose one, then press the pad with your finger.")
-                      : words("Press its key or click it to feel it under your finger.");
+                      : words("To feel a button under your finger, press its key or click it.");
 }
 
 /// Text about stimuli that were not pressed completely yet, or were released too early.
 QString StudyWindow::unfeltWords() const {
   // the question of a scale has only this stimulus
-  if (controller_->slotOfX() == 1) return words("First press it to the end and let go.");
+  if (controller_->slotOfX() == 1) return words("First press the button to the end and let go.");
   QStringList missing;
   for (std::size_t slot = 0; slot <= controller_->slotOfX(); ++slot) {
     const bool isX = slot == controller_->slotOfX();
     if (controller_->feltOf(slot).whole > 0 || (isX && !controller_->hasX())) continue;
     const QString name = isX ? QStringLiteral("X") : QString::number(slot + 1);
-    missing << (controller_->feltOf(slot).presses > 0 ? words("%1 (not to the end yet)").arg(name) : name);
+    missing << (controller_->feltOf(slot).presses > 0 ? words("%1 (not pressed to the end yet)").arg(name)
+                                                      : name);
   }
   return words("First press to the end and let go: %1.").arg(missing.join(", "));
 }
@@ -465,7 +466,7 @@ void StudyWindow::tellAway(playback::StudyTrouble trouble) {
     case playback::StudyTrouble::forceLost:
       return tell(words("The force device was disconnected. Please call the experimenter."));
     case playback::StudyTrouble::forceStopped:
-      return tell(words("There is no force. Please call the experimenter: F9 brings it back."));
+      return tell(words("The force is off. Please call the experimenter, who can switch it on with F9."));
     case playback::StudyTrouble::none:
     case playback::StudyTrouble::sensorUnplugged:
     case playback::StudyTrouble::sensorSilent:

@@ -62,7 +62,7 @@ class AddKnotTool : public AddingTool {
  public:
   using AddingTool::AddingTool;
   QString hint() const override {
-    return tr("Click on a curve to add a knot; keep the button down to move it.");
+    return tr("Click a curve to add a curve point. Keep the button down to move the new point.");
   }
   bool pressed(const PointerInput& input) override {
     if (input.button != Qt::LeftButton || context_.busy()) return false;
@@ -76,7 +76,7 @@ class AddKnotTool : public AddingTool {
     if (!knot) return false;
     const MarkId id{MarkKind::knot, hit->stroke, *knot};
     DragTask task;
-    task.label = tr("Add knot");
+    task.label = tr("Add curve point");
     task.from = hit->at;
     task.stroke = hit->stroke;
     task.mark = id;
@@ -95,12 +95,14 @@ class AddJumpTool : public AddingTool {
  public:
   using AddingTool::AddingTool;
   QString hint() const override {
-    return tr("Press on a rising part of a curve where the jump begins, then drag its valley into place.");
+    return tr(
+        "Hold the mouse button where the jump begins, on a rising part of a curve. Then drag the valley into "
+        "place.");
   }
   bool pressed(const PointerInput& input) override {
     if (input.button != Qt::LeftButton || context_.busy()) return false;
     const auto hit = curveAt(context_.canvas, input.at_px, addingReach_px);
-    if (!hit) return missed(context_, tr("There is no curve here. Press nearer to one."));
+    if (!hit) return missed(context_, tr("There is no curve here. Start nearer to one."));
     const std::size_t state = context_.document.activeState();
     DragTask task;
     task.label = tr("Add jump");

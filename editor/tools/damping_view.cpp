@@ -22,7 +22,8 @@ DampingView::DampingView(ButtonDocument& document, ViewSettings& settings, QWidg
     : UnitPlot(settings, PlotQuantity::displacement, PlotQuantity::damping, parent), document_(document) {
   setObjectName(QStringLiteral("dampingView"));
   setAccessibleName(tr("Damping over displacement"));
-  setToolTip(tr("Drag points; double-click the line to add one, Delete removes the selected one."));
+  setToolTip(
+      tr("Drag points to move them. Double-click the line to add a point; Delete removes the selected one."));
   const auto follow = [this] {
     if (selected_ && *selected_ >= points().size()) select({});
     if (fitted() && !dragging_) fit();

@@ -122,7 +122,7 @@ void GraphDrag::stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedbac
   limit = farthest(limit, {limit.displacement_mm, wanted.force_N});
   feedback.snap.reset();
   const QString reason = sentenceOf(why, canvas_.settings().units());
-  feedback.refused = RefusedMove{wanted, QCoreApplication::translate("GraphDrag", "Stops at %1. %2")
+  feedback.refused = RefusedMove{wanted, QCoreApplication::translate("GraphDrag", "The move stops at %1. %2")
                                              .arg(placeText(limit, canvas_.settings().units()), reason)};
   if (const auto stopped = edited(limit)) preview(*stopped, limit, feedback);
   say_(feedback.refused->why);

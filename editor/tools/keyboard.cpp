@@ -171,7 +171,8 @@ void Keyboard::removeSelected() {
         tr("Remove %n points", nullptr, static_cast<int>(all.size())));
   if (selected->kind == MarkKind::turn || isSlope(selected->kind)) selected = selectedKnot();
   if (!selected) {
-    context_.say(tr("There is no knot at this valley or peak. Select a knot or a tactile point."));
+    context_.say(
+        tr("There is no curve point at this valley or peak. Select a curve point or a tactile point."));
     return;
   }
   apply(removeMark(context_.document.history().committed(), context_.document.activeState(), *selected),
@@ -182,7 +183,7 @@ void Keyboard::toggleSelectedCorner() {
   if (context_.busy()) return;
   const auto knot = selectedKnot();
   if (!knot) {
-    context_.say(tr("Select a knot to make it a corner or smooth."));
+    context_.say(tr("Select a curve point to make it a corner or smooth."));
     return;
   }
   apply(toggleCorner(context_.document.history().committed(), context_.document.activeState(), *knot),
@@ -199,7 +200,7 @@ void Keyboard::togglePin() {
   const bool pinned = std::erase(next.links.pinned, pin) > 0;
   if (!pinned) next.links.pinned.push_back(pin);
   context_.document.annotate(std::move(next), pinned ? tr("Unlock a point") : tr("Lock a point"));
-  context_.say(pinned ? tr("The point can be moved again.")
+  context_.say(pinned ? tr("Unlocked: the point can be moved again.")
                       : tr("Locked: no edit moves this point until you press P on it again."));
 }
 
@@ -214,7 +215,7 @@ void Keyboard::addKnotBeyond() {
   const double middle_mm = at->displacement_mm + 0.5 * (next_mm - at->displacement_mm);
   apply(
       addKnot(context_.document.history().committed(), context_.document.activeState(), id.stroke, middle_mm),
-      tr("Add knot"));
+      tr("Add curve point"));
   if (const auto knot = knotAt(context_.canvas.state().graph.curve(id.stroke), middle_mm))
     context_.canvas.setSelected(MarkId{MarkKind::knot, id.stroke, *knot});
 }

@@ -109,7 +109,7 @@ Result<Button> pasteStretch(const Button& button, std::size_t state, const Graph
       if (!release)
         return Failure{FailureCode::wrongUsage, "force graph", "",
                        Message("has no release curve to paste into"),
-                       Message("Mirror the press to a release first")};
+                       Message("Create a release first: Edit > Curve > Mirror press to release")};
       auto put = putStretch(*release, stretch.release);
       if (!put) return put.failure();
       release = *std::move(put);

@@ -27,9 +27,9 @@ Result<Button> editCurve(const Button& button, std::size_t state, Stroke stroke,
 Result<double> slopeTowards(const Knot& knot, MarkKind side, CurvePoint to) {
   const double away_mm = to.displacement_mm - knot.displacement_mm;
   if (side == MarkKind::slopeBefore ? away_mm < 0 : away_mm > 0) return (to.force_N - knot.force_N) / away_mm;
-  return markRefusal(Message("slope handle"), Message("would point to the other side of its knot"),
-                     side == MarkKind::slopeBefore ? Message("Keep it left of the knot")
-                                                   : Message("Keep it right of the knot"));
+  return markRefusal(Message("slope handle"), Message("would point to the other side of its curve point"),
+                     side == MarkKind::slopeBefore ? Message("Keep the handle left of the curve point")
+                                                   : Message("Keep the handle right of the curve point"));
 }
 
 Result<StrokeCurve> withSlope(const StrokeCurve& curve, MarkId handle, double slope, SlopeSides sides) {
@@ -84,8 +84,8 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   Knot &from = knots[right - 1], &to = knots[right];
   const double width_mm = to.displacement_mm - from.displacement_mm;
   const auto cannot = [&](Message problem) {
-    return markRefusal(Message("piece between knots %1 and %2", right, right + 1), std::move(problem),
-                       Message("Add a knot there (K) and move that"));
+    return markRefusal(Message("piece between curve points %1 and %2", right, right + 1), std::move(problem),
+                       Message("Add a curve point there (K) and move the new point"));
   };
   if (!(width_mm > 0)) return cannot(Message("is vertical"));
   double share = (at_mm - from.displacement_mm) / width_mm;
@@ -183,7 +183,7 @@ Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark) 
                        [&](const StrokeCurve& curve) { return removeKnot(curve, mark.index); });
     default:
       return markRefusal(nameOf(mark).toStdString(), Message("cannot be removed on its own"),
-                         Message("Select a knot, a tactile point, or the operating or reset point"));
+                         Message("Select a curve point, a tactile point, or the operating or reset point"));
   }
 }
 

@@ -52,9 +52,8 @@ bool isPoint(MarkKind kind) { return kind != MarkKind::section && !isSlope(kind)
 
 QString SelectTool::hint() const {
   return tr(
-      "Drag points and slope handles; drag the line to bend it between two points; drag on empty space to "
-      "select "
-      "several. Shift: one axis, Ctrl: no snapping, Escape: cancel.");
+      "Drag points and slope handles. Drag the line to bend it between two points. Drag on empty space to "
+      "select several. Shift: one axis, Ctrl: no snapping, Escape: cancel.");
 }
 
 void SelectTool::leave() {
@@ -118,7 +117,8 @@ void SelectTool::toggleHeld() {
   for (const MarkId& mark : canvas.selection())
     for (const MarkId& point : points(mark)) add(point);
   const std::vector<MarkId> held = points(held_->id);
-  if (held.empty()) return context_.say(tr("There is no knot here. Add one (K) to select it with others."));
+  if (held.empty())
+    return context_.say(tr("There is no curve point here. Add one (K) to select it with others."));
   const bool allThere = std::all_of(
       held.begin(), held.end(), [&](MarkId m) { return std::find(now.begin(), now.end(), m) != now.end(); });
   if (allThere && !now.empty()) {
@@ -269,7 +269,7 @@ bool SelectTool::doubleClicked(const PointerInput& input) {
     context_.say(sentenceOf(next.failure(), context_.settings.units()));
     return true;
   }
-  history.apply(*next, tr("Add knot"));
+  history.apply(*next, tr("Add curve point"));
   if (const auto knot = knotAt(context_.canvas.state().graph.curve(hit->stroke), hit->at.displacement_mm))
     context_.canvas.setSelected(MarkId{MarkKind::knot, hit->stroke, *knot});
   return true;

@@ -45,8 +45,8 @@
         <translation>Der Rückweg liegt bei %2 um %1 über dem Hinweg. Sind Hin- und Rückweg vertauscht?</translation>
     </message>
     <message>
-        <source>The release begins at %1, %2 away from the end of the press at %3.</source>
-        <translation>Der Rückweg beginnt bei %1, %2 entfernt vom Ende des Hinwegs bei %3.</translation>
+        <source>The release begins at %1, but the press ends at %3 (%2 apart).</source>
+        <translation>Der Rückweg beginnt bei %1, der Hinweg endet aber bei %3 (Abstand %2).</translation>
     </message>
     <message>
         <source>There is no release curve; the press curve is used instead.</source>
@@ -61,24 +61,24 @@
         <translation>Der Hinweg beginnt mit fallender Kraft; der Taster hat keine stabile Ruhelage.</translation>
     </message>
     <message>
-        <source>The tactile point of the %1 at %2 lies inside an earlier jump: it is never felt.</source>
-        <translation>Der Druckpunkt auf dem %1 bei %2 liegt in einem früheren Sprung und ist nie zu fühlen.</translation>
+        <source>The tactile point of the %1 at %2 lies inside an earlier jump, so the finger never feels it.</source>
+        <translation>Der Druckpunkt auf dem %1 bei %2 liegt in einem früheren Sprung, der Finger fühlt ihn daher nie.</translation>
     </message>
     <message>
         <source>The reset point at %1 lies deeper than the operating point at %2.</source>
         <translation>Der Rückschaltpunkt bei %1 liegt tiefer als der Schaltpunkt bei %2.</translation>
     </message>
     <message>
-        <source>The release ends at %1, %2 away from where the next state starts, %3.</source>
-        <translation>Der Rückweg endet bei %1, %2 entfernt vom Anfang des nächsten Zustands bei %3.</translation>
+        <source>The release ends at %1, but the next state starts at %3 (%2 apart).</source>
+        <translation>Der Rückweg endet bei %1, der nächste Zustand beginnt aber bei %3 (Abstand %2).</translation>
     </message>
     <message>
-        <source>Damping is given at %1, outside the travel up to %2.</source>
-        <translation>Bei %1 ist Dämpfung angegeben, außerhalb des Wegs bis %2.</translation>
+        <source>A damping point lies at %1, but the travel ends at %2.</source>
+        <translation>Bei %1 liegt ein Dämpfungspunkt, der Weg endet aber bei %2.</translation>
     </message>
     <message>
-        <source>The %1 curve has %2 knots, too many to edit by hand. Refit it with fewer pieces.</source>
-        <translation>Die Kurve „%1“ hat %2 Knoten, zu viele zum Bearbeiten von Hand. Passen Sie sie mit weniger Stücken neu an.</translation>
+        <source>The %1 curve has %2 points, too many to edit by hand. Refit the curve with fewer pieces.</source>
+        <translation>Die Kurve „%1“ hat %2 Kurvenpunkte, zu viele zum Bearbeiten von Hand. Passen Sie die Kurve mit weniger Stücken neu an.</translation>
     </message>
     <message>
         <source>The confidence of the import is only %1 %. Compare the curves with the page.</source>
@@ -117,8 +117,8 @@
         <translation>%1: Im Datenblatt steht %2, im Graphen %3.</translation>
     </message>
     <message>
-        <source>The release at %1 mm/s lies %2 above the press at %3 mm/s, at %4: the button would return more energy than it took up.</source>
-        <translation>Der Rückweg bei %1 mm/s liegt um %2 über dem Hinweg bei %3 mm/s, und zwar bei %4: Der Taster gäbe mehr Energie ab, als er aufnahm.</translation>
+        <source>At %4, the release at %1 mm/s lies %2 above the press at %3 mm/s: the button would return more energy than it took up.</source>
+        <translation>Bei %4 liegt der Rückweg mit %1 mm/s um %2 über dem Hinweg mit %3 mm/s: Der Taster gäbe mehr Energie ab, als er aufnahm.</translation>
     </message>
 </context>
 <context>
@@ -156,8 +156,8 @@
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>%1: mean difference %2 % of the first button&apos;s force range, largest %3 % (up to %4 %5, %6 %7)</source>
-        <translation>%1: mittlere Abweichung %2 % des Kraftbereichs des ersten Tasters, größte %3 % (bis %4 %5, %6 %7)</translation>
+        <source>%1: on average %2 % of the first button&apos;s force range apart, at most %3 % (up to %4 %5, %6 %7)</source>
+        <translation>%1: im Mittel %2 % des Kraftbereichs des ersten Tasters auseinander, höchstens %3 % (bis %4 %5, %6 %7)</translation>
     </message>
     <message>
         <source>peak travel</source>
@@ -180,8 +180,8 @@
         <translation>Länge des Sprungs</translation>
     </message>
     <message>
-        <source>jump area</source>
-        <translation>Fläche des Sprungs</translation>
+        <source>jump energy</source>
+        <translation>Sprungenergie</translation>
     </message>
 </context>
 <context>
@@ -218,15 +218,15 @@
         <translation>Detent-Paket (JSON)</translation>
     </message>
     <message>
-        <source>Everything: force thresholds, waveforms, curve and filters, for your own player.</source>
-        <translation>Alles: Kraftschwellen, Wellenformen, Kurve und Filter, für ein eigenes Abspielprogramm.</translation>
+        <source>Everything for your own playback program: force thresholds, waveforms, curve and filters.</source>
+        <translation>Alles für ein eigenes Abspielprogramm: Kraftschwellen, Wellenformen, Kurve und Filter.</translation>
     </message>
     <message>
         <source>Firmware (C header)</source>
         <translation>Firmware (C-Header)</translation>
     </message>
     <message>
-        <source>Force thresholds, waveforms and curve for a microcontroller. Without the filters, equalizer and limiter.</source>
+        <source>Force thresholds, waveforms and curve for a microcontroller. Filters, equalizer and limiter are left out.</source>
         <translation>Kraftschwellen, Wellenformen und Kurve für einen Mikrocontroller. Ohne Filter, Entzerrer und Begrenzer.</translation>
     </message>
     <message>
@@ -234,48 +234,48 @@
         <translation>iPhone (AHAP)</translation>
     </message>
     <message>
-        <source>Two files, press and release, 80 to 230 Hz. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>Zwei Dateien, Hinweg und Rückweg, 80 bis 230 Hz. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>Two files, press and release, 80 to 230 Hz. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>Zwei Dateien, Hinweg und Rückweg, 80 bis 230 Hz. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Meta and Lofelt (.haptic)</source>
         <translation>Meta und Lofelt (.haptic)</translation>
     </message>
     <message>
-        <source>One oscillator, 80 to 230 Hz. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>Ein Oszillator, 80 bis 230 Hz. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>One tone, 80 to 230 Hz. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>Ein Ton, 80 bis 230 Hz. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Android (Kotlin)</source>
         <translation>Android (Kotlin)</translation>
     </message>
     <message>
-        <source>Press and release as envelopes, no part shorter than 20 ms. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>Hinweg und Rückweg als Hüllkurven, kein Abschnitt kürzer als 20 ms. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>Strength of press and release over time, in steps of at least 20 ms. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>Stärke von Hinweg und Rückweg über der Zeit, in Schritten von mindestens 20 ms. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>OpenXR (parametric)</source>
         <translation>OpenXR (parametrisch)</translation>
     </message>
     <message>
-        <source>Structures as JSON and, beside it, as a C header. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>Strukturen als JSON und daneben als C-Header. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>Two files with the same data, JSON and a C header. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>Zwei Dateien mit denselben Daten, JSON und C-Header. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>MPEG haptics (HJIF)</source>
         <translation>MPEG-Haptik (HJIF)</translation>
     </message>
     <message>
-        <source>ISO/IEC 23090-31, with the unchanged waveform. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>ISO/IEC 23090-31, mit unveränderter Wellenform. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>ISO/IEC 23090-31, with the unchanged waveform. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>ISO/IEC 23090-31, mit unveränderter Wellenform. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Piezo driver BOS1921</source>
         <translation>Piezotreiber BOS1921</translation>
     </message>
     <message>
-        <source>Whole sine cycles for the driver&apos;s memory. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>Ganze Sinusperioden für den Speicher des Treibers. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>Whole sine cycles for the driver&apos;s memory. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>Ganze Sinusperioden für den Speicher des Treibers. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Motor driver DA7280, DA7282</source>
@@ -298,23 +298,23 @@
         <translation>Abtastwerte (C-Array)</translation>
     </message>
     <message>
-        <source>The waveform as numbers. Plays over time; the finger&apos;s force has no effect.</source>
-        <translation>Die Wellenform als Zahlen. Zeitgesteuert; die Kraft des Fingers hat keinen Einfluss.</translation>
+        <source>The waveform as numbers. Plays like a recording; the finger&apos;s force has no effect.</source>
+        <translation>Die Wellenform als Zahlen. Spielt wie eine Aufnahme ab; die Kraft des Fingers hat keinen Einfluss.</translation>
     </message>
     <message>
         <source>Haptic touchpad</source>
         <translation>Haptisches Touchpad</translation>
     </message>
     <message>
-        <source>Force threshold of 110 to 190 g, and intensity; the touchpad plays its own waveforms.</source>
-        <translation>Kraftschwelle von 110 bis 190 g und Stärke; das Touchpad spielt eigene Wellenformen.</translation>
+        <source>Sets force threshold (110 to 190 g) and intensity; the touchpad plays its own waveforms.</source>
+        <translation>Setzt Kraftschwelle (110 bis 190 g) und Stärke; das Touchpad spielt eigene Wellenformen.</translation>
     </message>
 </context>
 <context>
     <name>GraphDrag</name>
     <message>
-        <source>Stops at %1. %2</source>
-        <translation>Hält bei %1. %2</translation>
+        <source>The move stops at %1. %2</source>
+        <translation>Die Bewegung endet bei %1. %2</translation>
     </message>
     <message>
         <source>Shift: one axis, Ctrl: no snapping, Esc: cancel</source>
@@ -332,7 +332,7 @@
         <translation>wurde nicht gefunden</translation>
     </message>
     <message>
-        <source>Check the name; it may have been moved or renamed</source>
+        <source>Check the name; the file may have been moved or renamed</source>
         <translation>Prüfen Sie den Namen; die Datei wurde vielleicht verschoben oder umbenannt</translation>
     </message>
     <message>
@@ -340,16 +340,16 @@
         <translation>ist ein Ordner</translation>
     </message>
     <message>
-        <source>Choose a file in it</source>
-        <translation>Wählen Sie eine Datei darin</translation>
+        <source>Choose a file in this folder</source>
+        <translation>Wählen Sie eine Datei in diesem Ordner</translation>
     </message>
     <message>
         <source>cannot be opened: %1</source>
         <translation>lässt sich nicht öffnen: %1</translation>
     </message>
     <message>
-        <source>Check its permissions</source>
-        <translation>Prüfen Sie die Zugriffsrechte</translation>
+        <source>Check the permissions of the file</source>
+        <translation>Prüfen Sie die Zugriffsrechte der Datei</translation>
     </message>
     <message>
         <source>All supported files</source>
@@ -387,12 +387,12 @@
         <translation>%1 ± %2 %3</translation>
     </message>
     <message>
-        <source>%1 records of %2 units. Spread: %3.</source>
-        <translation>%1 Messungen von %2 Exemplaren. Streuung: %3.</translation>
+        <source>%1 measurements of %2 units of this switch. Spread: %3.</source>
+        <translation>%1 Messungen von %2 Exemplaren dieses Schalters. Streuung: %3.</translation>
     </message>
     <message>
-        <source>%1 records of one unit. Spread: %2.</source>
-        <translation>%1 Messungen eines Exemplars. Streuung: %2.</translation>
+        <source>%1 measurements of one unit of this switch. Spread: %2.</source>
+        <translation>%1 Messungen eines Exemplars dieses Schalters. Streuung: %2.</translation>
     </message>
     <message>
         <source>Rated by %1 (licence: %2).</source>
@@ -526,8 +526,8 @@ Lizenz: %3</translation>
         </translation>
     </message>
     <message>
-        <source>They are lost otherwise.</source>
-        <translation>Sonst gehen sie verloren.</translation>
+        <source>If you do not save them, the changes are lost.</source>
+        <translation>Wenn Sie nicht speichern, gehen die Änderungen verloren.</translation>
     </message>
     <message>
         <source>Detent</source>
@@ -537,8 +537,8 @@ Lizenz: %3</translation>
 <context>
     <name>SampledAt</name>
     <message>
-        <source>Example: 0.1, or 0; 0.5; 2</source>
-        <translation>Beispiel: 0,1 oder 0; 0,5; 2</translation>
+        <source>Example: 0.1 (step), or 0; 0.5; 2 (travels)</source>
+        <translation>Beispiel: 0,1 (Schritt) oder 0; 0,5; 2 (Wege)</translation>
     </message>
 </context>
 <context>
@@ -610,12 +610,12 @@ Lizenz: %3</translation>
         <translation>Zustand „%1“</translation>
     </message>
     <message>
-        <source>%1 at %2 lies outside its stroke, %3 to %4</source>
-        <translation>%1 bei %2 liegt außerhalb der Kurve, %3 bis %4</translation>
+        <source>%1 at %2 lies outside its stroke (%3 to %4)</source>
+        <translation>%1 bei %2 liegt außerhalb der Kurve (%3 bis %4)</translation>
     </message>
     <message>
-        <source>Move it inside the travel or leave it out</source>
-        <translation>Legen Sie ihn in den Weg, oder lassen Sie ihn weg</translation>
+        <source>Move the point inside the travel, or remove it</source>
+        <translation>Legen Sie den Punkt in den Weg, oder entfernen Sie ihn</translation>
     </message>
     <message>
         <source>displacement %1 is not a usable number</source>
@@ -626,8 +626,8 @@ Lizenz: %3</translation>
         <translation>Geben Sie einen Ort innerhalb des Wegs an</translation>
     </message>
     <message>
-        <source>damping %1 N·s/mm is not finite and &gt;= 0</source>
-        <translation>die Dämpfung %1 N·s/mm ist keine endliche Zahl &gt;= 0</translation>
+        <source>damping %1 N·s/mm is not a number of 0 or more</source>
+        <translation>die Dämpfung %1 N·s/mm ist keine Zahl ab 0</translation>
     </message>
     <message>
         <source>Give 0 where there is no damping</source>
@@ -662,12 +662,12 @@ Lizenz: %3</translation>
         <translation>Herkunft</translation>
     </message>
     <message>
-        <source>%1 is %2, not a finite number</source>
-        <translation>%1 ist %2, keine endliche Zahl</translation>
+        <source>%1 is %2, not a usable number</source>
+        <translation>%1 ist %2, keine brauchbare Zahl</translation>
     </message>
     <message>
-        <source>Leave out what is not known</source>
-        <translation>Lassen Sie weg, was nicht bekannt ist</translation>
+        <source>Leave out values that you do not know</source>
+        <translation>Lassen Sie Werte weg, die Sie nicht kennen</translation>
     </message>
     <message>
         <source>frame edge</source>
@@ -678,12 +678,12 @@ Lizenz: %3</translation>
         <translation>Achsenwert</translation>
     </message>
     <message>
-        <source>residual or confidence</source>
+        <source>deviation or confidence</source>
         <translation>Abweichung oder Sicherheit</translation>
     </message>
     <message>
-        <source>factor %1 is not a finite number above 0</source>
-        <translation>der Faktor %1 ist keine endliche Zahl über 0</translation>
+        <source>factor %1 is not a number above 0</source>
+        <translation>der Faktor %1 ist keine Zahl über 0</translation>
     </message>
     <message>
         <source>Give a factor such as 1.1</source>
@@ -694,8 +694,8 @@ Lizenz: %3</translation>
         <translation>hat keinen Zustand %1</translation>
     </message>
     <message>
-        <source>Choose one of its states</source>
-        <translation>Wählen Sie einen seiner Zustände</translation>
+        <source>Choose one of the states of the button</source>
+        <translation>Wählen Sie einen der Zustände des Tasters</translation>
     </message>
     <message>
         <source>release curve</source>
@@ -706,16 +706,16 @@ Lizenz: %3</translation>
         <translation>gibt es nicht</translation>
     </message>
     <message>
-        <source>Mirror the press curve first</source>
-        <translation>Spiegeln Sie zuerst die Hinwegkurve</translation>
+        <source>Create a release curve first: mirror the press curve</source>
+        <translation>Erzeugen Sie zuerst einen Rückweg: Spiegeln Sie die Hinwegkurve</translation>
     </message>
     <message>
         <source>hysteresis</source>
         <translation>Hysterese</translation>
     </message>
     <message>
-        <source>is not a finite number &gt;= 0</source>
-        <translation>ist keine endliche Zahl &gt;= 0</translation>
+        <source>is not a number of 0 or more</source>
+        <translation>ist keine Zahl ab 0</translation>
     </message>
     <message>
         <source>Give a force in N, 0 for none</source>
@@ -726,79 +726,79 @@ Lizenz: %3</translation>
         <translation>hat schon zwei Zustände</translation>
     </message>
     <message>
-        <source>Remove one of them first</source>
-        <translation>Entfernen Sie zuerst einen davon</translation>
+        <source>Remove one of the states first</source>
+        <translation>Entfernen Sie zuerst einen der Zustände</translation>
     </message>
     <message>
-        <source>has this state alone</source>
+        <source>has only this state</source>
         <translation>hat nur diesen Zustand</translation>
     </message>
     <message>
-        <source>Add a second one first</source>
-        <translation>Fügen Sie zuerst einen zweiten hinzu</translation>
+        <source>Add a second state first</source>
+        <translation>Fügen Sie zuerst einen zweiten Zustand hinzu</translation>
     </message>
     <message>
-        <source>has no knot %1, only %2</source>
-        <translation>hat keinen Knoten %1, nur %2</translation>
+        <source>has no point %1, only %2 points</source>
+        <translation>hat keinen Kurvenpunkt %1, nur %2 Kurvenpunkte</translation>
     </message>
     <message>
-        <source>Choose one of its knots</source>
-        <translation>Wählen Sie einen ihrer Knoten</translation>
+        <source>Choose one of the points of the curve</source>
+        <translation>Wählen Sie einen der Punkte der Kurve</translation>
     </message>
     <message>
-        <source>knot %1</source>
-        <translation>Knoten %1</translation>
+        <source>curve point %1</source>
+        <translation>Kurvenpunkt %1</translation>
     </message>
     <message>
-        <source>cannot move to %1, past its neighbour at %2</source>
-        <translation>lässt sich nicht nach %1 verschieben, über den Nachbarn bei %2 hinaus</translation>
+        <source>cannot move to %1: its neighbour is at %2</source>
+        <translation>lässt sich nicht nach %1 verschieben: Der Nachbar liegt bei %2</translation>
     </message>
     <message>
-        <source>Keep it between its neighbours, or remove the neighbour first</source>
-        <translation>Lassen Sie ihn zwischen seinen Nachbarn, oder entfernen Sie zuerst den Nachbarn</translation>
+        <source>Keep the point between its neighbours, or remove the neighbour first</source>
+        <translation>Lassen Sie den Punkt zwischen seinen Nachbarn, oder entfernen Sie zuerst den Nachbarn</translation>
     </message>
     <message>
-        <source>has no place for a knot at %1, outside %2 to %3</source>
-        <translation>kann bei %1 keinen Knoten haben, außerhalb von %2 bis %3</translation>
+        <source>has no place for a point at %1: it runs from %2 to %3</source>
+        <translation>hat bei %1 keinen Platz für einen Punkt: Sie reicht von %2 bis %3</translation>
     </message>
     <message>
-        <source>Choose a displacement inside the curve</source>
-        <translation>Wählen Sie einen Ort innerhalb der Kurve</translation>
+        <source>Choose a displacement between the ends of the curve</source>
+        <translation>Wählen Sie einen Weg zwischen den Enden der Kurve</translation>
     </message>
     <message>
         <source>is already at %1</source>
         <translation>ist schon bei %1</translation>
     </message>
     <message>
-        <source>Move that knot instead</source>
-        <translation>Verschieben Sie stattdessen diesen Knoten</translation>
+        <source>Move that curve point instead</source>
+        <translation>Verschieben Sie stattdessen diesen Kurvenpunkt</translation>
     </message>
     <message>
-        <source>cannot be removed: a curve needs 2 knots</source>
-        <translation>lässt sich nicht entfernen: Eine Kurve braucht 2 Knoten</translation>
+        <source>cannot be removed: a curve needs 2 points</source>
+        <translation>lässt sich nicht entfernen: Eine Kurve braucht 2 Punkte</translation>
     </message>
     <message>
-        <source>Move it instead</source>
-        <translation>Verschieben Sie ihn stattdessen</translation>
+        <source>Move the point instead</source>
+        <translation>Verschieben Sie den Punkt stattdessen</translation>
     </message>
     <message>
-        <source>would be at %1, before knot %2 at %3</source>
-        <translation>stünde bei %1, vor Knoten %2 bei %3</translation>
+        <source>would be at %1, before curve point %2 at %3</source>
+        <translation>stünde bei %1, vor Kurvenpunkt %2 bei %3</translation>
     </message>
     <message>
-        <source>Keep the knots in their order, or select fewer</source>
-        <translation>Lassen Sie die Knoten in ihrer Reihenfolge, oder wählen Sie weniger aus</translation>
+        <source>Keep the points in their order, or select fewer points</source>
+        <translation>Lassen Sie die Punkte in ihrer Reihenfolge, oder wählen Sie weniger Punkte aus</translation>
     </message>
     <message>
-        <source>%1 knots cannot be removed: a curve needs 2 knots</source>
-        <translation>%1 Knoten lassen sich nicht entfernen: Eine Kurve braucht 2 Knoten</translation>
+        <source>%1 points cannot be removed: a curve needs 2 points</source>
+        <translation>%1 Punkte lassen sich nicht entfernen: Eine Kurve braucht 2 Punkte</translation>
     </message>
     <message>
-        <source>Leave two of them</source>
-        <translation>Lassen Sie zwei davon stehen</translation>
+        <source>Keep at least two points</source>
+        <translation>Lassen Sie mindestens zwei Punkte stehen</translation>
     </message>
     <message>
-        <source>has no stretch from %1 to %2</source>
+        <source>has no part from %1 to %2</source>
         <translation>hat keinen Teil von %1 bis %2</translation>
     </message>
     <message>
@@ -806,48 +806,48 @@ Lizenz: %3</translation>
         <translation>Wählen Sie zwei Orte auf der Kurve, den ersten vor dem zweiten</translation>
     </message>
     <message>
-        <source>gets no knots</source>
-        <translation>bekommt keine Knoten</translation>
+        <source>gets no points</source>
+        <translation>bekommt keine Punkte</translation>
     </message>
     <message>
-        <source>Give one knot or more</source>
-        <translation>Geben Sie einen Knoten oder mehr an</translation>
+        <source>Give one point or more</source>
+        <translation>Geben Sie mindestens einen Punkt an</translation>
     </message>
     <message>
-        <source>cannot move to %1, outside its flanks from %2 to %3</source>
-        <translation>lässt sich nicht nach %1 verschieben, außerhalb seiner Flanken von %2 bis %3</translation>
+        <source>cannot move to %1: it must stay between %2 and %3</source>
+        <translation>lässt sich nicht nach %1 verschieben: Er muss zwischen %2 und %3 bleiben</translation>
     </message>
     <message>
-        <source>Keep it between the neighbouring extrema</source>
-        <translation>Lassen Sie ihn zwischen den benachbarten Extremen</translation>
+        <source>Keep the point between the neighbouring peaks and valleys</source>
+        <translation>Lassen Sie den Punkt zwischen den benachbarten Spitzen und Tälern</translation>
     </message>
     <message>
-        <source>would be no extremum at %1: its flanks end at %2</source>
-        <translation>wäre bei %1 kein Extremum: Seine Flanken enden bei %2</translation>
+        <source>would no longer be a peak or valley at %1: the curve beside it ends at %2</source>
+        <translation>wäre bei %1 keine Spitze und kein Tal mehr: Die Kurve daneben endet bei %2</translation>
     </message>
     <message>
-        <source>Keep its force above that</source>
-        <translation>Halten Sie seine Kraft darüber</translation>
+        <source>Keep the force of the point above this value</source>
+        <translation>Halten Sie die Kraft des Punkts über diesem Wert</translation>
     </message>
     <message>
-        <source>Keep its force below that</source>
-        <translation>Halten Sie seine Kraft darunter</translation>
+        <source>Keep the force of the point below this value</source>
+        <translation>Halten Sie die Kraft des Punkts unter diesem Wert</translation>
     </message>
     <message>
-        <source>has no tactile point %1, it has %2</source>
-        <translation>hat keinen Druckpunkt %1, sie hat %2</translation>
+        <source>has no tactile point %1, only %2</source>
+        <translation>hat keinen Druckpunkt %1, nur %2</translation>
     </message>
     <message>
-        <source>Choose one of its tactile points</source>
-        <translation>Wählen Sie einen ihrer Druckpunkte</translation>
+        <source>Choose one of the tactile points of the curve</source>
+        <translation>Wählen Sie einen der Druckpunkte der Kurve</translation>
     </message>
     <message>
-        <source>cannot move by %1, past the end of the section beside it at %2</source>
-        <translation>kann nicht um %1 verschoben werden, über das Ende des Abschnitts daneben bei %2 hinaus</translation>
+        <source>cannot move by %1: the neighbouring section ends at %2</source>
+        <translation>lässt sich nicht um %1 verschieben: Der Abschnitt daneben endet bei %2</translation>
     </message>
     <message>
-        <source>Move it less</source>
-        <translation>Verschieben Sie ihn weniger</translation>
+        <source>Move the section by less</source>
+        <translation>Verschieben Sie den Abschnitt weniger weit</translation>
     </message>
     <message>
         <source>new jump</source>
@@ -858,36 +858,36 @@ Lizenz: %3</translation>
         <translation>hat die Breite %1 und den Abfall %2</translation>
     </message>
     <message>
-        <source>Give both as numbers above 0</source>
-        <translation>Geben Sie beides als Zahlen über 0 an</translation>
+        <source>Give width and drop as numbers above 0</source>
+        <translation>Geben Sie Breite und Abfall als Zahlen über 0 an</translation>
     </message>
     <message>
-        <source>from %1 to %2 leaves the curve, %3 to %4</source>
-        <translation>von %1 bis %2 reicht über die Kurve hinaus, %3 bis %4</translation>
+        <source>from %1 to %2 leaves the curve, which runs from %3 to %4</source>
+        <translation>von %1 bis %2 reicht über die Kurve hinaus, die von %3 bis %4 geht</translation>
     </message>
     <message>
-        <source>Make it narrower or move it inward</source>
-        <translation>Machen Sie ihn schmaler, oder rücken Sie ihn nach innen</translation>
+        <source>Make the jump narrower, or move it inward</source>
+        <translation>Machen Sie den Sprung schmaler, oder rücken Sie ihn nach innen</translation>
     </message>
     <message>
         <source>starts at %1, where the force does not rise</source>
         <translation>beginnt bei %1, wo die Kraft nicht steigt</translation>
     </message>
     <message>
-        <source>Start it on a rising slope, so that its start is a tactile point</source>
-        <translation>Lassen Sie ihn auf einer steigenden Flanke beginnen, damit sein Anfang ein Druckpunkt ist</translation>
+        <source>Start the jump where the force rises, so that its start becomes a tactile point</source>
+        <translation>Lassen Sie den Sprung beginnen, wo die Kraft steigt; sein Anfang wird dann ein Druckpunkt</translation>
     </message>
     <message>
         <source>tactile point %1</source>
         <translation>Druckpunkt %1</translation>
     </message>
     <message>
-        <source>is not an extremum of the curve</source>
-        <translation>ist kein Extremum der Kurve</translation>
+        <source>is neither a peak nor a valley of the curve</source>
+        <translation>ist weder Spitze noch Tal der Kurve</translation>
     </message>
     <message>
-        <source>Choose a valley or a hump</source>
-        <translation>Wählen Sie ein Tal oder eine Spitze</translation>
+        <source>Choose a peak or a valley</source>
+        <translation>Wählen Sie eine Spitze oder ein Tal</translation>
     </message>
     <message>
         <source>cannot have a snap ratio of %1</source>
@@ -902,44 +902,44 @@ Lizenz: %3</translation>
         <translation>hat kein Tal danach</translation>
     </message>
     <message>
-        <source>Add one, or move the end of the stroke above it</source>
-        <translation>Fügen Sie eines hinzu, oder schieben Sie das Ende der Kurve darüber</translation>
+        <source>Add a valley, or raise the end of the stroke above the tactile point</source>
+        <translation>Fügen Sie ein Tal hinzu, oder heben Sie das Ende der Kurve über den Druckpunkt</translation>
     </message>
     <message>
         <source>valley after %1</source>
         <translation>Tal nach %1</translation>
     </message>
     <message>
-        <source>has no section %1, it has %2</source>
-        <translation>hat keinen Abschnitt %1, sie hat %2</translation>
+        <source>has no section %1, only %2</source>
+        <translation>hat keinen Abschnitt %1, nur %2</translation>
     </message>
     <message>
-        <source>Choose one of its sections</source>
-        <translation>Wählen Sie einen ihrer Abschnitte</translation>
+        <source>Choose one of the sections of the curve</source>
+        <translation>Wählen Sie einen der Abschnitte der Kurve</translation>
     </message>
     <message>
         <source>section %1</source>
         <translation>Abschnitt %1</translation>
     </message>
     <message>
-        <source>cannot move by a number that is not finite</source>
-        <translation>kann nicht um eine Zahl verschoben werden, die nicht endlich ist</translation>
+        <source>cannot move by this distance: it is not a usable number</source>
+        <translation>lässt sich nicht um diesen Betrag verschieben: Er ist keine brauchbare Zahl</translation>
     </message>
     <message>
-        <source>Give finite distances</source>
-        <translation>Geben Sie endliche Abstände an</translation>
+        <source>Give usable numbers as distances</source>
+        <translation>Geben Sie brauchbare Zahlen als Abstände an</translation>
     </message>
     <message>
-        <source>would not come back: the curve has %1 at its end, its valley %2</source>
-        <translation>kehrte nicht zur Kurve zurück: Am Ende des Sprungs hat die Kurve %1, das Tal %2</translation>
+        <source>cannot return to the curve: the force there is %1, in the valley %2</source>
+        <translation>kann nicht zur Kurve zurückkehren: Dort ist die Kraft %1, im Tal %2</translation>
     </message>
     <message>
         <source>Make the drop larger or the jump narrower</source>
         <translation>Machen Sie den Abfall größer oder den Sprung schmaler</translation>
     </message>
     <message>
-        <source>has %1 entries for %2 warnings</source>
-        <translation>hat %1 Einträge zu %2 Warnungen</translation>
+        <source>has %1 codes for %2 warnings</source>
+        <translation>hat %1 Codes zu %2 Warnungen</translation>
     </message>
     <message>
         <source>release rows, point %1</source>
@@ -974,20 +974,20 @@ Lizenz: %3</translation>
         <translation>Prüfen Sie die Einheit der Wegachse</translation>
     </message>
     <message>
-        <source>covers %1 to %2, beside the press curve&apos;s %3 to %4</source>
-        <translation>reicht von %1 bis %2 und überschneidet sich nicht mit der Hinwegkurve, %3 bis %4</translation>
+        <source>covers %1 to %2, but the press curve covers %3 to %4</source>
+        <translation>reicht von %1 bis %2, die Hinwegkurve aber von %3 bis %4</translation>
     </message>
     <message>
-        <source>Bring both strokes to the same displacement axis</source>
-        <translation>Bringen Sie beide Kurven auf dieselbe Wegachse</translation>
+        <source>Measure the displacement of both strokes from the same zero</source>
+        <translation>Messen Sie den Weg beider Hübe vom selben Nullpunkt aus</translation>
     </message>
     <message>
-        <source>at %1 goes back behind %2</source>
-        <translation>geht bei %1 hinter %2 zurück</translation>
+        <source>at %1 goes back behind the previous point at %2</source>
+        <translation>geht bei %1 hinter den vorigen Punkt bei %2 zurück</translation>
     </message>
     <message>
-        <source>turns back inside a vertical rise at %1</source>
-        <translation>kehrt bei %1 in einem senkrechten Anstieg um</translation>
+        <source>reverses its direction inside a vertical rise at %1</source>
+        <translation>kehrt bei %1 in einem senkrechten Anstieg die Richtung um</translation>
     </message>
     <message>
         <source>point %1</source>
@@ -998,48 +998,48 @@ Lizenz: %3</translation>
         <translation>lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
-        <source>Give every knot finite numbers</source>
-        <translation>Geben Sie jedem Knoten endliche Zahlen</translation>
+        <source>Give every curve point usable numbers</source>
+        <translation>Geben Sie jedem Kurvenpunkt brauchbare Zahlen</translation>
     </message>
     <message>
-        <source>displacement %1 lies before the previous knot&apos;s %2</source>
-        <translation>der Weg %1 liegt vor dem des vorigen Knotens, %2</translation>
+        <source>displacement %1 lies before that of the previous point, %2</source>
+        <translation>der Weg %1 liegt vor dem des vorigen Punkts, %2</translation>
     </message>
     <message>
-        <source>Order the knots by increasing displacement</source>
-        <translation>Ordnen Sie die Knoten nach zunehmendem Weg</translation>
+        <source>Sort the points by increasing displacement</source>
+        <translation>Ordnen Sie die Punkte nach zunehmendem Weg</translation>
     </message>
     <message>
-        <source>is the third knot at displacement %1</source>
-        <translation>ist der dritte Knoten beim Weg %1</translation>
+        <source>is the third point at displacement %1</source>
+        <translation>ist der dritte Punkt beim Weg %1</translation>
     </message>
     <message>
-        <source>Keep at most two knots, the ends of one vertical piece, at one displacement</source>
-        <translation>Behalten Sie an einem Ort höchstens zwei Knoten, die Enden eines senkrechten Stücks</translation>
+        <source>At one displacement, keep at most two points: the ends of a vertical piece</source>
+        <translation>Behalten Sie bei einem Weg höchstens zwei Punkte: die Enden eines senkrechten Stücks</translation>
     </message>
     <message>
         <source>piece %1</source>
         <translation>Stück %1</translation>
     </message>
     <message>
-        <source>is so steep that its slope leaves the range of a double</source>
-        <translation>ist so steil, dass seine Steigung den Zahlenbereich verlässt</translation>
+        <source>is too steep for its slope to be computed</source>
+        <translation>ist zu steil, um die Steigung zu berechnen</translation>
     </message>
     <message>
         <source>Make the piece vertical (equal displacements) or less steep</source>
         <translation>Machen Sie das Stück senkrecht (gleiche Wege) oder weniger steil</translation>
     </message>
     <message>
-        <source>does not exist: the sketch has %1 pieces</source>
-        <translation>gibt es nicht: Die Skizze hat %1 Stücke</translation>
+        <source>does not exist: there are only %1 pieces</source>
+        <translation>gibt es nicht: Es sind nur %1 Stücke</translation>
     </message>
     <message>
-        <source>Name one of its pieces</source>
-        <translation>Nennen Sie eines ihrer Stücke</translation>
+        <source>Name one of these pieces</source>
+        <translation>Nennen Sie eines dieser Stücke</translation>
     </message>
     <message>
-        <source>has %1 bytes, more than %2</source>
-        <translation>hat %1 Bytes, mehr als %2</translation>
+        <source>has %1 bytes; the limit is %2</source>
+        <translation>hat %1 Bytes; die Grenze ist %2</translation>
     </message>
     <message>
         <source>has %1 numbers, not nine</source>
@@ -1054,8 +1054,8 @@ Lizenz: %3</translation>
         <translation>ist kein gültiges JSON: %1</translation>
     </message>
     <message>
-        <source>Correct it there, or export the button again</source>
-        <translation>Berichtigen Sie es dort, oder exportieren Sie den Taster noch einmal</translation>
+        <source>Correct the file at this place, or export the button again</source>
+        <translation>Berichtigen Sie die Datei an dieser Stelle, oder exportieren Sie den Taster noch einmal</translation>
     </message>
     <message>
         <source>is not &quot;detent-button&quot;</source>
@@ -1078,8 +1078,8 @@ Lizenz: %3</translation>
         <translation>Ergänzen Sie &quot;version&quot;: %1</translation>
     </message>
     <message>
-        <source>is %1, newer than this program reads (%2)</source>
-        <translation>ist %1, neuer als dieses Programm liest (%2)</translation>
+        <source>is %1; this program reads versions up to %2</source>
+        <translation>ist %1; dieses Programm liest Versionen bis %2</translation>
     </message>
     <message>
         <source>Update Detent to open this file</source>
@@ -1174,8 +1174,8 @@ Lizenz: %3</translation>
         <translation>Hysterese</translation>
     </message>
     <message>
-        <source>%1 cannot be without bounds</source>
-        <translation>%1 muss eine endliche Zahl sein</translation>
+        <source>%1 cannot be infinite</source>
+        <translation>%1 kann nicht unendlich sein</translation>
     </message>
     <message>
         <source>Give a number</source>
@@ -1190,16 +1190,16 @@ Lizenz: %3</translation>
         <translation>%1 mJ</translation>
     </message>
     <message>
-        <source>a stretch of the curve would have no width left</source>
+        <source>a part of the curve would have no width left</source>
         <translation>hätte ein Teil der Kurve keine Breite mehr</translation>
     </message>
     <message>
-        <source>a rise of the force would become a fall, or a fall a rise</source>
+        <source>a rising part of the curve would fall, or a falling part would rise</source>
         <translation>würde ein Anstieg der Kraft zum Abfall oder ein Abfall zum Anstieg</translation>
     </message>
     <message>
-        <source>the button would pull</source>
-        <translation>würde die Kraft negativ</translation>
+        <source>the force would fall below 0, and the button would pull</source>
+        <translation>würde die Kraft negativ, und der Taster würde ziehen</translation>
     </message>
     <message>
         <source>another tactile point would become the main one</source>
@@ -1214,12 +1214,12 @@ Lizenz: %3</translation>
         <translation>läge der Rückschaltpunkt tiefer als der Schaltpunkt</translation>
     </message>
     <message>
-        <source>the release would lie above the press</source>
-        <translation>läge der Rückweg über dem Hinweg</translation>
+        <source>the release force would exceed the press force</source>
+        <translation>läge die Kraft des Rückwegs über der des Hinwegs</translation>
     </message>
     <message>
-        <source>a tactile point would be too weak to be one</source>
-        <translation>wäre ein Druckpunkt zu schwach, um einer zu sein</translation>
+        <source>a tactile point would become too weak to count</source>
+        <translation>wäre ein Druckpunkt zu schwach, um zu zählen</translation>
     </message>
     <message>
         <source>the bottom-out would begin elsewhere</source>
@@ -1234,52 +1234,52 @@ Lizenz: %3</translation>
         <translation>endete der Rückweg nicht, wo der nächste Zustand beginnt</translation>
     </message>
     <message>
-        <source>a tactile point would lie inside a jump, and never be felt</source>
-        <translation>läge ein Druckpunkt in einem Sprung und würde nie gespürt</translation>
+        <source>a tactile point would lie inside a jump, where no finger feels it</source>
+        <translation>läge ein Druckpunkt in einem Sprung, wo ihn kein Finger fühlt</translation>
     </message>
     <message>
         <source>the press would begin with a falling force</source>
         <translation>begänne der Hinweg mit fallender Kraft</translation>
     </message>
     <message>
-        <source>damping would lie outside the travel</source>
-        <translation>läge Dämpfung außerhalb des Wegs</translation>
+        <source>a damping point would lie outside the travel</source>
+        <translation>läge ein Dämpfungspunkt außerhalb des Wegs</translation>
     </message>
     <message>
-        <source>no curve was found that has all of this, nor which of it contradicts: %1</source>
-        <translation>keine Kurve erfüllt alle diese Vorgaben, und welche einander widersprechen, ließ sich nicht feststellen: %1</translation>
+        <source>no curve was found that meets all these targets, and the conflict is not known: %1</source>
+        <translation>keine Kurve erfüllt alle diese Vorgaben, und der Widerspruch ließ sich nicht eingrenzen: %1</translation>
     </message>
     <message>
-        <source>Leave some of it free, or give values nearer to the present ones</source>
-        <translation>Lassen Sie einige Werte frei, oder geben Sie Werte näher an den jetzigen an</translation>
+        <source>Remove or unlock some of these, or give values nearer to the current ones</source>
+        <translation>Entfernen oder entsperren Sie einige davon, oder geben Sie Werte näher an den jetzigen an</translation>
     </message>
     <message>
         <source>%1 and %2 contradict each other</source>
         <translation>%1 und %2 widersprechen einander</translation>
     </message>
     <message>
-        <source>Leave one of the two free, or give it another value</source>
-        <translation>Eines der beiden freilassen oder ihm einen anderen Wert geben</translation>
+        <source>Remove or unlock one of the two, or give it another value</source>
+        <translation>Entfernen oder entsperren Sie eines der beiden, oder geben Sie ihm einen anderen Wert</translation>
     </message>
     <message>
-        <source>%1 and %2 contradict each other as long as this is kept as well: %3</source>
-        <translation>%1 und %2 widersprechen einander, solange auch dies bleibt: %3</translation>
+        <source>these contradict each other: %1; %2; %3</source>
+        <translation>Diese widersprechen einander: %1; %2; %3</translation>
     </message>
     <message>
-        <source>Leave one of them free, or give it another value</source>
-        <translation>Eines davon freilassen oder ihm einen anderen Wert geben</translation>
+        <source>Remove or unlock one of them, or give it another value</source>
+        <translation>Entfernen oder entsperren Sie eines davon, oder geben Sie ihm einen anderen Wert</translation>
     </message>
     <message>
-        <source>the button has no such figure: %1</source>
-        <translation>Der Taster hat diese Kennzahl nicht: %1</translation>
+        <source>the button has no key figure of this kind: %1</source>
+        <translation>Der Taster hat keine solche Kennzahl: %1</translation>
     </message>
     <message>
-        <source>Add what it measures to the curve first</source>
+        <source>First add to the curve what the key figure measures</source>
         <translation>Ergänzen Sie zuerst an der Kurve das Merkmal, das diese Kennzahl misst</translation>
     </message>
     <message>
-        <source>it is %1</source>
-        <translation>es ist %1</translation>
+        <source>the share is %1</source>
+        <translation>der Anteil ist %1</translation>
     </message>
     <message>
         <source>press</source>
@@ -1290,20 +1290,20 @@ Lizenz: %3</translation>
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>would end at another place than the other strokes</source>
-        <translation>würde bei einem anderen Weg enden als die übrigen Hübe</translation>
+        <source>would no longer end where the other strokes end</source>
+        <translation>würde nicht mehr dort enden, wo die übrigen Hübe enden</translation>
     </message>
     <message>
-        <source>Move one end alone, or loosen the link</source>
-        <translation>Bewegen Sie nur ein Ende, oder heben Sie die Verknüpfung auf</translation>
+        <source>Move only one end, or remove the link between the ends</source>
+        <translation>Bewegen Sie nur ein Ende, oder heben Sie die Kopplung der Enden auf</translation>
     </message>
     <message>
-        <source>would leave its pinned point at %1</source>
+        <source>would leave its locked point at %1</source>
         <translation>würde den gesperrten Punkt bei %1 verlassen</translation>
     </message>
     <message>
-        <source>Take the pin out, or move something else</source>
-        <translation>Entsperren Sie den Punkt, oder bewegen Sie einen anderen</translation>
+        <source>Unlock the point, or move something else</source>
+        <translation>Entsperren Sie den Punkt, oder bewegen Sie etwas anderes</translation>
     </message>
     <message>
         <source>stroke curve</source>
@@ -1366,8 +1366,8 @@ Lizenz: %3</translation>
         <translation>Graph</translation>
     </message>
     <message>
-        <source>given plot frame</source>
-        <translation>angegebener Rahmen</translation>
+        <source>plot frame entered by hand</source>
+        <translation>von Hand eingegebener Rahmen</translation>
     </message>
     <message>
         <source>selection</source>
@@ -1414,60 +1414,60 @@ Lizenz: %3</translation>
         <translation>Punktabstand</translation>
     </message>
     <message>
-        <source>there is none</source>
-        <translation>es gibt keinen</translation>
+        <source>there are none</source>
+        <translation>es gibt keine</translation>
     </message>
     <message>
-        <source>Pass one or more</source>
+        <source>Give one or more</source>
         <translation>Einen oder mehrere angeben</translation>
     </message>
     <message>
-        <source>they do not fit the buttons</source>
-        <translation>sie passen nicht zu den Tastern</translation>
+        <source>their number or values do not suit the buttons</source>
+        <translation>Zahl oder Werte passen nicht zu den Tastern</translation>
     </message>
     <message>
-        <source>Pass one per button, 0 or more, not all 0</source>
-        <translation>Für jeden Taster ein Gewicht angeben, 0 oder mehr, nicht alle 0</translation>
+        <source>Give each button one weight of 0 or more, but not 0 to all</source>
+        <translation>Geben Sie jedem Taster ein Gewicht ab 0, aber nicht allen 0</translation>
     </message>
     <message>
         <source>some are momentary and some self-locking</source>
         <translation>einige sind tastend, andere rastend</translation>
     </message>
     <message>
-        <source>Pass buttons of one kind</source>
+        <source>Give buttons of one kind</source>
         <translation>Taster einer Art wählen</translation>
     </message>
     <message>
-        <source>Pass 0 to 1</source>
-        <translation>Einen Wert von 0 bis 1 angeben</translation>
+        <source>Give a share from 0 to 1</source>
+        <translation>Geben Sie einen Anteil von 0 bis 1 an</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
         <translation>%1 mm/s</translation>
     </message>
     <message>
-        <source>has graphs at other speeds, but does not state its own</source>
-        <translation>hat Graphen bei anderen Geschwindigkeiten, nennt aber die eigene nicht</translation>
+        <source>has graphs at other speeds, but states no speed for its main graph</source>
+        <translation>hat Graphen bei anderen Geschwindigkeiten, nennt aber keine für den Hauptgraphen</translation>
     </message>
     <message>
-        <source>State the speed of its own graph in mm/s</source>
-        <translation>Die Geschwindigkeit des eigenen Graphen in mm/s nennen</translation>
+        <source>State the speed of the main graph in mm/s</source>
+        <translation>Nennen Sie die Geschwindigkeit des Hauptgraphen in mm/s</translation>
     </message>
     <message>
-        <source>states %1, but has no graph at another speed</source>
-        <translation>nennt %1, hat aber keinen Graphen bei einer anderen Geschwindigkeit</translation>
+        <source>states the speed %1, but has no graph at another speed</source>
+        <translation>nennt die Geschwindigkeit %1, hat aber keinen Graphen bei einer anderen</translation>
     </message>
     <message>
-        <source>Give a graph at another speed, or state none</source>
-        <translation>Einen Graphen bei einer anderen Geschwindigkeit angeben, oder keine nennen</translation>
+        <source>Give a graph at another speed, or state no speed</source>
+        <translation>Geben Sie einen Graphen bei einer anderen Geschwindigkeit an, oder nennen Sie keine</translation>
     </message>
     <message>
         <source>has graphs at %1 speeds</source>
         <translation>hat Graphen bei %1 Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>Keep two to four of them</source>
-        <translation>Zwei bis vier davon behalten</translation>
+        <source>Keep two to four graphs</source>
+        <translation>Behalten Sie zwei bis vier Graphen</translation>
     </message>
     <message>
         <source>speed %1 is not a usable speed</source>
@@ -1478,27 +1478,27 @@ Lizenz: %3</translation>
         <translation>Geschwindigkeiten über 0 bis %1 angeben</translation>
     </message>
     <message>
-        <source>states %1 twice</source>
-        <translation>nennt %1 zweimal</translation>
+        <source>states the speed %1 twice</source>
+        <translation>nennt die Geschwindigkeit %1 zweimal</translation>
     </message>
     <message>
         <source>Give each graph a speed of its own</source>
         <translation>Jedem Graphen eine eigene Geschwindigkeit geben</translation>
     </message>
     <message>
-        <source>speed %1 does not rise above %2</source>
-        <translation>Geschwindigkeit %1 ist nicht höher als %2</translation>
+        <source>speed %1 is not above the previous speed %2</source>
+        <translation>Geschwindigkeit %1 ist nicht höher als die vorige, %2</translation>
     </message>
     <message>
-        <source>Order the other graphs by rising speed, each stated once</source>
-        <translation>Die anderen Graphen nach steigender Geschwindigkeit ordnen, jede einmal genannt</translation>
+        <source>Sort the other graphs by increasing speed, each speed once</source>
+        <translation>Ordnen Sie die anderen Graphen nach steigender Geschwindigkeit, jede nur einmal</translation>
     </message>
     <message>
-        <source>has a release, which that at %1 lacks</source>
+        <source>has a release, but the graph at %1 has none</source>
         <translation>hat einen Rückweg, der Graph bei %1 aber keinen</translation>
     </message>
     <message>
-        <source>lacks a release, which that at %1 has</source>
+        <source>has no release, but the graph at %1 has one</source>
         <translation>hat keinen Rückweg, der Graph bei %1 aber einen</translation>
     </message>
     <message>
@@ -1506,7 +1506,7 @@ Lizenz: %3</translation>
         <translation>Allen Geschwindigkeiten einen Rückweg geben, oder keiner</translation>
     </message>
     <message>
-        <source>the %1 has an end at %2, that at %3 at %4: more than %5 apart</source>
+        <source>one end of the %1 lies at %2, but at %4 in the graph of %3: more than %5 apart</source>
         <translation>ein Ende (%1) liegt bei %2, beim Graphen für %3 bei %4: mehr als %5 auseinander</translation>
     </message>
     <message>
@@ -1514,12 +1514,12 @@ Lizenz: %3</translation>
         <translation>Graphen eines Tasters mit demselben Weg angeben</translation>
     </message>
     <message>
-        <source>is at %1, %2 at %3</source>
-        <translation>hat den eigenen Graphen bei %1, %2 dagegen bei %3</translation>
+        <source>states the speed %1, but %2 states %3</source>
+        <translation>nennt die Geschwindigkeit %1, %2 dagegen %3</translation>
     </message>
     <message>
-        <source>Let the own graph of every state be the one of the same speed</source>
-        <translation>Für den eigenen Graphen jedes Zustands dieselbe Geschwindigkeit wählen</translation>
+        <source>Choose the same speed for the main graph of every state</source>
+        <translation>Wählen Sie für den Hauptgraphen jedes Zustands dieselbe Geschwindigkeit</translation>
     </message>
     <message>
         <source>has graphs at other speeds than %1</source>
@@ -1538,12 +1538,12 @@ Lizenz: %3</translation>
         <translation>Graphen vergleichen, die beide eine Hinwegkurve oder beide eine Rückwegkurve haben</translation>
     </message>
     <message>
-        <source>is not a finite number</source>
-        <translation>ist keine endliche Zahl</translation>
+        <source>is not a usable number</source>
+        <translation>ist keine brauchbare Zahl</translation>
     </message>
     <message>
-        <source>Remove it</source>
-        <translation>Entfernen</translation>
+        <source>Remove the point</source>
+        <translation>Entfernen Sie den Punkt</translation>
     </message>
     <message>
         <source>Give one stroke in the order travelled, or fit it with detent-import</source>
@@ -1554,52 +1554,52 @@ Lizenz: %3</translation>
         <translation>Zu jedem Weg eine Kraft angeben, oder die Punkte mit detent-import anpassen</translation>
     </message>
     <message>
-        <source>%1 mm/s is not a finite number above 0</source>
-        <translation>%1 mm/s ist keine endliche Zahl über 0</translation>
+        <source>%1 mm/s is not a speed above 0</source>
+        <translation>%1 mm/s ist keine Geschwindigkeit über 0</translation>
     </message>
     <message>
         <source>Give a speed such as 50</source>
         <translation>Eine Geschwindigkeit wie 50 angeben</translation>
     </message>
     <message>
-        <source>%1 speeds for %2 buttons</source>
-        <translation>%1 Geschwindigkeiten für %2 Taster</translation>
+        <source>there are %1 speeds for %2 buttons</source>
+        <translation>es gibt %1 Geschwindigkeiten für %2 Taster</translation>
     </message>
     <message>
         <source>Give two to four buttons, and a speed for each</source>
         <translation>Zwei bis vier Taster angeben, und zu jedem eine Geschwindigkeit</translation>
     </message>
     <message>
-        <source>a release would lie above the press of another speed</source>
-        <translation>läge ein Rückweg über dem Hinweg einer anderen Geschwindigkeit</translation>
+        <source>the release force at one speed would exceed the press force at another</source>
+        <translation>läge die Kraft des Rückwegs bei einer Geschwindigkeit über der des Hinwegs bei einer anderen</translation>
     </message>
     <message>
         <source>lock position</source>
         <translation>Raststellung</translation>
     </message>
     <message>
-        <source>lies outside the stretch between the valley and the end of the travel</source>
+        <source>does not lie between the valley and the end of the travel</source>
         <translation>liegt nicht zwischen dem Tal und dem Ende des Wegs</translation>
     </message>
     <message>
-        <source>Put it between them</source>
-        <translation>Dazwischen legen</translation>
+        <source>Move the lock position between the two</source>
+        <translation>Legen Sie die Raststelle zwischen beide</translation>
     </message>
     <message>
-        <source>fewer than two</source>
-        <translation>weniger als zwei</translation>
+        <source>there are fewer than two</source>
+        <translation>es gibt weniger als zwei</translation>
     </message>
     <message>
-        <source>Pass every unit that was measured</source>
+        <source>Give every unit that was measured</source>
         <translation>Jedes gemessene Exemplar angeben</translation>
     </message>
     <message>
-        <source>no displacement is in the travel of all</source>
+        <source>no displacement lies within the travel of all units</source>
         <translation>die Exemplare haben keinen gemeinsamen Weg</translation>
     </message>
     <message>
-        <source>Pass units of one button</source>
-        <translation>Exemplare eines Tasters wählen</translation>
+        <source>Give units of the same button</source>
+        <translation>Wählen Sie Exemplare desselben Tasters</translation>
     </message>
     <message>
         <source>samples</source>
@@ -1662,7 +1662,7 @@ Lizenz: %3</translation>
         <translation>Kraftgrenze in N</translation>
     </message>
     <message>
-        <source>slew limit in N/s</source>
+        <source>limit of force change in N/s</source>
         <translation>Grenze des Kraftanstiegs in N/s</translation>
     </message>
     <message>
@@ -1699,7 +1699,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>grain-strength</source>
-        <translation>Stärke der Grains</translation>
+        <translation>Stärke der Impulse</translation>
     </message>
     <message>
         <source>quiet</source>
@@ -1738,8 +1738,8 @@ Lizenz: %3</translation>
         <translation>kein Weg ist angegeben</translation>
     </message>
     <message>
-        <source>Give at least one</source>
-        <translation>Geben Sie mindestens einen an</translation>
+        <source>Give at least one travel</source>
+        <translation>Geben Sie mindestens einen Weg an</translation>
     </message>
     <message>
         <source>actuation point</source>
@@ -1769,16 +1769,16 @@ Lizenz: %3</translation>
 <context>
     <name>detent::Bending</name>
     <message>
-        <source>%1 cannot be %2: beyond %3 %4</source>
+        <source>%1 cannot be %2; beyond %3, %4</source>
         <translation>%1 kann nicht %2 sein: Jenseits von %3 %4</translation>
     </message>
     <message>
-        <source>Give a value nearer to the present one</source>
-        <translation>Einen Wert näher am jetzigen angeben</translation>
+        <source>Give a value nearer to the current one</source>
+        <translation>Geben Sie einen Wert näher am jetzigen an</translation>
     </message>
     <message>
-        <source>more than one property of its shape would be lost</source>
-        <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
+        <source>the curve would lose more than one of its properties</source>
+        <translation>ginge mehr als eine Eigenschaft der Kurve verloren</translation>
     </message>
 </context>
 <context>
@@ -1810,16 +1810,16 @@ Lizenz: %3</translation>
 <context>
     <name>detent::Reader</name>
     <message>
-        <source>is not a key of this format</source>
-        <translation>ist kein Schlüssel dieses Formats</translation>
+        <source>is not a field of this format</source>
+        <translation>ist kein Feld dieses Formats</translation>
     </message>
     <message>
         <source>is missing</source>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>Add it, see docs/reference/file-format.md</source>
-        <translation>Ergänzen Sie ihn, siehe docs/reference/file-format.md</translation>
+        <source>Add the field; see docs/reference/file-format.md</source>
+        <translation>Ergänzen Sie das Feld, siehe docs/reference/file-format.md</translation>
     </message>
 </context>
 <context>
@@ -1836,16 +1836,16 @@ Lizenz: %3</translation>
         <translation>das ist ein Ordner</translation>
     </message>
     <message>
-        <source>Name a file inside it</source>
-        <translation>Nennen Sie eine Datei darin</translation>
+        <source>Name a file inside this folder</source>
+        <translation>Nennen Sie eine Datei in diesem Ordner</translation>
     </message>
     <message>
-        <source>it is not a regular file</source>
-        <translation>das ist keine gewöhnliche Datei</translation>
+        <source>it is not an ordinary file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>Name a file</source>
-        <translation>Nennen Sie eine Datei</translation>
+        <source>Name an ordinary file</source>
+        <translation>Nennen Sie eine gewöhnliche Datei</translation>
     </message>
     <message>
         <source>its folder does not exist</source>
@@ -1871,24 +1871,24 @@ Lizenz: %3</translation>
 <context>
     <name>detent::StrokeCurve</name>
     <message>
-        <source>has %1 knots, but a curve needs at least 2</source>
-        <translation>hat %1 Knoten, aber eine Kurve braucht mindestens 2</translation>
+        <source>has %1 points, but a curve needs at least 2</source>
+        <translation>hat %1 Punkte, aber eine Kurve braucht mindestens 2</translation>
     </message>
     <message>
-        <source>Give its start and its end</source>
-        <translation>Geben Sie Anfang und Ende an</translation>
+        <source>Give at least the start and the end of the curve</source>
+        <translation>Geben Sie mindestens Anfang und Ende der Kurve an</translation>
     </message>
     <message>
-        <source>has %1 knots, more than the %2 allowed</source>
-        <translation>hat %1 Knoten, mehr als die erlaubten %2</translation>
+        <source>has %1 points, more than the %2 allowed</source>
+        <translation>hat %1 Punkte, mehr als die erlaubten %2</translation>
     </message>
     <message>
-        <source>Thin the points first</source>
-        <translation>Dünnen Sie zuerst die Punkte aus</translation>
+        <source>Remove some of the points first</source>
+        <translation>Entfernen Sie zuerst einige der Punkte</translation>
     </message>
     <message>
-        <source>has zero travel: all knots lie at %1</source>
-        <translation>hat keinen Weg: Alle Knoten liegen bei %1</translation>
+        <source>has zero travel: all points lie at %1</source>
+        <translation>hat keinen Weg: Alle Punkte liegen bei %1</translation>
     </message>
     <message>
         <source>Give the curve two different displacements</source>
@@ -1914,28 +1914,28 @@ Lizenz: %3</translation>
         <translation>Tal oder Spitze %1 des Rückwegs</translation>
     </message>
     <message>
-        <source>Knot %1 of the press</source>
-        <translation>Knoten %1 des Hinwegs</translation>
+        <source>Curve point %1 of the press</source>
+        <translation>Kurvenpunkt %1 des Hinwegs</translation>
     </message>
     <message>
-        <source>Knot %1 of the release</source>
-        <translation>Knoten %1 des Rückwegs</translation>
+        <source>Curve point %1 of the release</source>
+        <translation>Kurvenpunkt %1 des Rückwegs</translation>
     </message>
     <message>
-        <source>Slope before knot %1 of the press</source>
-        <translation>Steigung vor Knoten %1 des Hinwegs</translation>
+        <source>Slope before curve point %1 of the press</source>
+        <translation>Steigung vor Kurvenpunkt %1 des Hinwegs</translation>
     </message>
     <message>
-        <source>Slope before knot %1 of the release</source>
-        <translation>Steigung vor Knoten %1 des Rückwegs</translation>
+        <source>Slope before curve point %1 of the release</source>
+        <translation>Steigung vor Kurvenpunkt %1 des Rückwegs</translation>
     </message>
     <message>
-        <source>Slope after knot %1 of the press</source>
-        <translation>Steigung nach Knoten %1 des Hinwegs</translation>
+        <source>Slope after curve point %1 of the press</source>
+        <translation>Steigung nach Kurvenpunkt %1 des Hinwegs</translation>
     </message>
     <message>
-        <source>Slope after knot %1 of the release</source>
-        <translation>Steigung nach Knoten %1 des Rückwegs</translation>
+        <source>Slope after curve point %1 of the release</source>
+        <translation>Steigung nach Kurvenpunkt %1 des Rückwegs</translation>
     </message>
     <message>
         <source>Section %1 of the press</source>
@@ -1962,8 +1962,8 @@ Lizenz: %3</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>units ± 1 SD</source>
-        <translation>Exemplare ± 1 SD</translation>
+        <source>units ± standard deviation</source>
+        <translation>Exemplare ± Standardabweichung</translation>
     </message>
     <message>
         <source>grid</source>
@@ -2010,56 +2010,56 @@ Lizenz: %3</translation>
         <translation>(Grenze des Geräts)</translation>
     </message>
     <message>
-        <source>the falling jump %1 has %2</source>
-        <translation>der fallende Sprung %1 hat %2</translation>
+        <source>the falling jump %1 has a slope of %2</source>
+        <translation>der fallende Sprung %1 hat die Steigung %2</translation>
     </message>
     <message>
-        <source>the rise %1 has %2</source>
-        <translation>der Anstieg %1 hat %2</translation>
+        <source>the rise %1 has a slope of %2</source>
+        <translation>der Anstieg %1 hat die Steigung %2</translation>
     </message>
     <message>
-        <source>; the device can stably render at most %1 %2</source>
-        <translation>; das Gerät kann höchstens %1 stabil darstellen %2</translation>
+        <source>; the device can reproduce at most %1 without vibrating %2</source>
+        <translation>; das Gerät kann höchstens %1 wiedergeben, ohne zu schwingen %2</translation>
     </message>
     <message>
-        <source>Stable: the device can render every slope. Margin at the most critical one: %1.</source>
-        <translation>Stabil: Das Gerät kann jede Steigung darstellen. Reserve bei der kritischsten: %1.</translation>
+        <source>Stable: the device can reproduce every slope. Smallest margin: %1.</source>
+        <translation>Stabil: Das Gerät kann jede Steigung wiedergeben. Kleinste Reserve: %1.</translation>
     </message>
     <message>
-        <source>At one place the button is steeper than the device can stably render.</source>
-        <translation>An einer Stelle ist der Taster steiler, als das Gerät stabil darstellen kann.</translation>
+        <source>At one place the button is too steep for the device, which would vibrate there.</source>
+        <translation>An einer Stelle ist der Taster zu steil für das Gerät, das dort schwingen würde.</translation>
     </message>
     <message>
-        <source>At %1 places the button is steeper than the device can stably render. The worst:</source>
-        <translation>An %1 Stellen ist der Taster steiler, als das Gerät stabil darstellen kann. Die ungünstigste:</translation>
+        <source>At %1 places the button is too steep for the device, which would vibrate there. The worst:</source>
+        <translation>An %1 Stellen ist der Taster zu steil für das Gerät, das dort schwingen würde. Die ungünstigste:</translation>
     </message>
     <message>
-        <source>the rise of %1 at %2 is rendered as %3</source>
-        <translation>der Anstieg von %1 bei %2 wird als %3 dargestellt</translation>
+        <source>the rise of %1 at %2 is reproduced as %3</source>
+        <translation>der Anstieg von %1 bei %2 wird als %3 wiedergegeben</translation>
     </message>
     <message>
-        <source>the fall of %1 at %2 is rendered as %3</source>
-        <translation>der Abfall von %1 bei %2 wird als %3 dargestellt</translation>
+        <source>the fall of %1 at %2 is reproduced as %3</source>
+        <translation>der Abfall von %1 bei %2 wird als %3 wiedergegeben</translation>
     </message>
     <message>
-        <source>%1 exceeds the force of the device; %2 is rendered</source>
-        <translation>%1 übersteigt die Kraft des Geräts; dargestellt wird %2</translation>
+        <source>%1 exceeds the force of the device; %2 is reproduced</source>
+        <translation>%1 übersteigt die Kraft des Geräts; wiedergegeben wird %2</translation>
     </message>
     <message>
-        <source>the release lies up to %1 above the press at %2, which would generate energy; there, both are rendered as the release</source>
-        <translation>der Rückweg liegt bei %2 um bis zu %1 über dem Hinweg, was Energie erzeugen würde; beide werden dort wie der Rückweg dargestellt</translation>
+        <source>at %2, the release lies up to %1 above the press and would add energy; the device uses the release curve for both there</source>
+        <translation>bei %2 liegt der Rückweg um bis zu %1 über dem Hinweg und würde Energie zuführen; das Gerät nimmt dort für beide den Rückweg</translation>
     </message>
     <message>
-        <source>the damping of %1 at %2 is rendered as %3</source>
-        <translation>die Dämpfung von %1 bei %2 wird als %3 dargestellt</translation>
+        <source>the damping of %1 at %2 is reproduced as %3</source>
+        <translation>die Dämpfung von %1 bei %2 wird als %3 wiedergegeben</translation>
     </message>
     <message>
-        <source>the change from press to release would need %1 of travel on this device; it is limited to %2 and may be unstable</source>
-        <translation>der Übergang vom Hinweg zum Rückweg bräuchte auf diesem Gerät %1 Weg; er ist auf %2 begrenzt und kann instabil sein</translation>
+        <source>to change from press to release, this device would need %1 of travel; it gets %2 and may vibrate</source>
+        <translation>um vom Hinweg zum Rückweg zu wechseln, bräuchte dieses Gerät %1 Weg; es bekommt %2 und kann schwingen</translation>
     </message>
     <message>
-        <source>forces changed by up to %1, %2</source>
-        <translation>Kräfte um bis zu %1 geändert, %2</translation>
+        <source>forces %2 changed by up to %1</source>
+        <translation>Kräfte %2 um bis zu %1 geändert</translation>
     </message>
     <message>
         <source>damping raised by up to %1</source>
@@ -2146,8 +2146,8 @@ Lizenz: %3</translation>
         <translation>Maske malen</translation>
     </message>
     <message>
-        <source>set a resolution, so that a picture of the page is traced</source>
-        <translation>eine Auflösung setzen, damit ein Bild der Seite abgelesen wird</translation>
+        <source>choose a resolution; Detent then traces a picture of the page</source>
+        <translation>eine Auflösung wählen; Detent liest dann ein Bild der Seite ab</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -2202,12 +2202,12 @@ Lizenz: %3</translation>
         <translation>Achsen</translation>
     </message>
     <message>
-        <source>texts</source>
-        <translation>Texte</translation>
+        <source>reading texts</source>
+        <translation>Texte lesen</translation>
     </message>
     <message>
-        <source>comparing copies</source>
-        <translation>Kopien vergleichen</translation>
+        <source>comparing copies of the page</source>
+        <translation>Kopien der Seite vergleichen</translation>
     </message>
     <message>
         <source>tracing</source>
@@ -2226,8 +2226,8 @@ Lizenz: %3</translation>
         <translation>Anpassen</translation>
     </message>
     <message>
-        <source>callouts</source>
-        <translation>Bezugslinien</translation>
+        <source>reading callouts</source>
+        <translation>Bezugslinien lesen</translation>
     </message>
     <message>
         <source>Reading the log …</source>
@@ -2282,20 +2282,20 @@ Lizenz: %3</translation>
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Which curve is changed</source>
-        <translation>Welche Kurve geändert wird</translation>
+        <source>Curve that this command changes</source>
+        <translation>Kurve, die dieser Befehl ändert</translation>
     </message>
     <message>
         <source>Add jump</source>
         <translation>Sprung hinzufügen</translation>
     </message>
     <message>
-        <source>From a new tactile point the force falls into a valley and returns to the curve; on the release stroke it rises to a peak.</source>
-        <translation>Von einem neuen Druckpunkt fällt die Kraft in ein Tal und kehrt zur Kurve zurück; auf dem Rückweg steigt sie zu einer Spitze.</translation>
+        <source>Adds a tactile point: from it, the force falls into a valley and then returns to the curve. On the release stroke, the force rises to a peak instead.</source>
+        <translation>Fügt einen Druckpunkt hinzu: Von ihm fällt die Kraft in ein Tal und kehrt dann zur Kurve zurück. Auf dem Rückweg steigt sie stattdessen zu einer Spitze.</translation>
     </message>
     <message>
-        <source>At</source>
-        <translation>Bei</translation>
+        <source>Tactile point at</source>
+        <translation>Druckpunkt bei</translation>
     </message>
     <message>
         <source>Displacement of the tactile point</source>
@@ -2306,16 +2306,16 @@ Lizenz: %3</translation>
         <translation>Breite</translation>
     </message>
     <message>
-        <source>From the tactile point to where the curve goes on</source>
-        <translation>Vom Druckpunkt bis dorthin, wo die Kurve weitergeht</translation>
+        <source>Travel from the tactile point to where the jump rejoins the curve</source>
+        <translation>Weg vom Druckpunkt bis dorthin, wo der Sprung die Kurve wieder erreicht</translation>
     </message>
     <message>
         <source>Drop</source>
         <translation>Abfall</translation>
     </message>
     <message>
-        <source>From the tactile force to the valley</source>
-        <translation>Von der Druckpunktkraft bis zum Tal</translation>
+        <source>Force difference between tactile point and valley</source>
+        <translation>Kraftunterschied zwischen Druckpunkt und Tal</translation>
     </message>
     <message>
         <source>Remove jump</source>
@@ -2334,16 +2334,16 @@ Lizenz: %3</translation>
         <translation>Linear machen</translation>
     </message>
     <message>
-        <source>A straight line from the start to the bottom-out, which stays.</source>
-        <translation>Eine Gerade vom Anfang bis zum Anschlag, der bleibt.</translation>
+        <source>Replaces the curve by a straight line from the start to the bottom-out. The bottom-out stays.</source>
+        <translation>Ersetzt die Kurve durch eine Gerade vom Anfang bis zum Anschlag. Der Anschlag bleibt.</translation>
     </message>
     <message>
         <source>Mirror press to release</source>
         <translation>Hinweg zum Rückweg spiegeln</translation>
     </message>
     <message>
-        <source>The release becomes the press curve, lowered by the hysteresis. Where the press force is less than twice the hysteresis, the distance is reduced in proportion.</source>
-        <translation>Der Rückweg wird zur Hinwegkurve, um die Hysterese gesenkt. Wo die Kraft des Hinwegs kleiner ist als die doppelte Hysterese, verringert sich der Abstand entsprechend.</translation>
+        <source>The release becomes a copy of the press curve, lowered by the hysteresis. Where the press force is below twice the hysteresis, the copy is lowered by less.</source>
+        <translation>Der Rückweg wird eine Kopie der Hinwegkurve, um die Hysterese gesenkt. Wo die Kraft des Hinwegs unter der doppelten Hysterese liegt, wird die Kopie weniger gesenkt.</translation>
     </message>
     <message>
         <source>Hysteresis</source>
@@ -2358,7 +2358,7 @@ Lizenz: %3</translation>
         <translation>Rückweg entfernen</translation>
     </message>
     <message>
-        <source>Release will follow the press curve.</source>
+        <source>The release will follow the press curve.</source>
         <translation>Der Rückweg folgt dann der Hinwegkurve.</translation>
     </message>
     <message>
@@ -2366,24 +2366,24 @@ Lizenz: %3</translation>
         <translation>Kraft skalieren</translation>
     </message>
     <message>
-        <source>All forces of all states; damping follows.</source>
-        <translation>Alle Kräfte aller Zustände; die Dämpfung folgt.</translation>
+        <source>Scales all forces of all states, and the damping with them.</source>
+        <translation>Skaliert alle Kräfte aller Zustände und die Dämpfung mit ihnen.</translation>
     </message>
     <message>
         <source>Highest force</source>
         <translation>Höchste Kraft</translation>
     </message>
     <message>
-        <source>Of this state, after scaling</source>
-        <translation>Dieses Zustands, nach dem Skalieren</translation>
+        <source>Highest force of this state after scaling</source>
+        <translation>Größte Kraft dieses Zustands nach dem Skalieren</translation>
     </message>
     <message>
         <source>Scale travel</source>
         <translation>Weg skalieren</translation>
     </message>
     <message>
-        <source>All displacements of all states, with operating and reset points.</source>
-        <translation>Alle Wege aller Zustände, mit Schalt- und Rückschaltpunkt.</translation>
+        <source>Scales all displacements of all states, including operating and reset points.</source>
+        <translation>Skaliert alle Wege aller Zustände, auch Schalt- und Rückschaltpunkt.</translation>
     </message>
     <message>
         <source>Travel</source>
@@ -2410,20 +2410,20 @@ Lizenz: %3</translation>
         <translation>Kurve neu anpassen</translation>
     </message>
     <message>
-        <source>Fits the curves again to the traced points, with the number of pieces you choose. Replaces edits by hand.</source>
+        <source>Fits the curves to the traced points again, with as many pieces as you choose. Replaces changes made by hand.</source>
         <translation>Passt die Kurven mit der gewählten Zahl von Stücken neu an die abgelesenen Punkte an. Ersetzt Änderungen von Hand.</translation>
     </message>
     <message>
-        <source>Pieces of the press</source>
-        <translation>Stücke des Hinwegs</translation>
+        <source>Pieces of the press curve</source>
+        <translation>Stücke der Hinwegkurve</translation>
     </message>
     <message>
-        <source>More follow the points closer, fewer are easier to shape</source>
-        <translation>Mehr folgen den Punkten genauer, weniger lassen sich leichter formen</translation>
+        <source>More pieces follow the points more closely; fewer are easier to edit</source>
+        <translation>Mehr Stücke folgen den Punkten genauer, weniger lassen sich leichter bearbeiten</translation>
     </message>
     <message>
-        <source>Pieces of the release</source>
-        <translation>Stücke des Rückwegs</translation>
+        <source>Pieces of the release curve</source>
+        <translation>Stücke der Rückwegkurve</translation>
     </message>
     <message>
         <source>Operating and reset point</source>
@@ -2454,8 +2454,8 @@ Lizenz: %3</translation>
         <translation>Dämpfung</translation>
     </message>
     <message>
-        <source>Force in proportion to velocity, for force feedback devices. Shape it in the damping view.</source>
-        <translation>Kraft im Verhältnis zur Geschwindigkeit, für Geräte mit Kraftrückmeldung. Formen Sie sie in der Dämpfungsansicht.</translation>
+        <source>Adds a force proportional to velocity, for force feedback devices. Edit it in the damping view.</source>
+        <translation>Fügt eine Kraft im Verhältnis zur Geschwindigkeit hinzu, für Geräte mit Kraftrückmeldung. Bearbeiten Sie sie in der Dämpfungsansicht.</translation>
     </message>
     <message>
         <source>off</source>
@@ -2470,24 +2470,24 @@ Lizenz: %3</translation>
         <translation>Am Anfang</translation>
     </message>
     <message>
-        <source>N·s/mm at 0 mm</source>
-        <translation>N·s/mm bei 0 mm</translation>
+        <source>Damping in N·s/mm at 0 mm</source>
+        <translation>Dämpfung in N·s/mm bei 0 mm</translation>
     </message>
     <message>
         <source>At the end</source>
         <translation>Am Ende</translation>
     </message>
     <message>
-        <source>N·s/mm at the end of the travel</source>
-        <translation>N·s/mm am Ende des Wegs</translation>
+        <source>Damping in N·s/mm at the end of the travel</source>
+        <translation>Dämpfung in N·s/mm am Ende des Wegs</translation>
     </message>
     <message>
         <source>Two-level button</source>
         <translation>Zweistufiger Taster</translation>
     </message>
     <message>
-        <source>Replaces the curves of this state by a button with two tactile points, the second one stronger, as on a camera&apos;s shutter button.</source>
-        <translation>Ersetzt die Kurven dieses Zustands durch einen Taster mit zwei Druckpunkten, der zweite stärker, wie der Auslöser einer Kamera.</translation>
+        <source>Replaces the curves of this state by a button with two tactile points. The second one is stronger, as on a camera&apos;s shutter button.</source>
+        <translation>Ersetzt die Kurven dieses Zustands durch einen Taster mit zwei Druckpunkten. Der zweite ist stärker, wie beim Auslöser einer Kamera.</translation>
     </message>
     <message>
         <source>Self-locking button</source>
@@ -2542,16 +2542,16 @@ Lizenz: %3</translation>
         <translation>„%1“ ist keine bekannte Einheit. Geben Sie zum Beispiel %2 ein.</translation>
     </message>
     <message>
-        <source>“%1” has a unit. Enter a number without one.</source>
+        <source>“%1” has a unit. Type a number without a unit.</source>
         <translation>„%1“ hat eine Einheit. Geben Sie eine Zahl ohne Einheit ein.</translation>
     </message>
     <message>
-        <source>“%1” measures something else. Type a number in %2.</source>
-        <translation>„%1“ misst etwas anderes. Geben Sie eine Zahl in %2 ein.</translation>
+        <source>The unit in “%1” does not suit this field. Type a number in %2.</source>
+        <translation>Die Einheit in „%1“ passt nicht zu diesem Feld. Geben Sie eine Zahl in %2 ein.</translation>
     </message>
     <message>
-        <source>“%1” changes a value, and there is none yet. Type for example %2.</source>
-        <translation>„%1“ ändert einen Wert, und es gibt noch keinen. Geben Sie zum Beispiel %2 ein.</translation>
+        <source>“%1” changes the present value, but the field is empty. Type for example %2.</source>
+        <translation>„%1“ ändert den vorhandenen Wert, aber das Feld ist leer. Geben Sie zum Beispiel %2 ein.</translation>
     </message>
     <message>
         <source>“%1” is not a whole number. Type a number without decimals.</source>
@@ -2570,16 +2570,16 @@ Lizenz: %3</translation>
         <translation>Entfernen: %1</translation>
     </message>
     <message>
-        <source>a release lies up to %1 above the press of another speed at %2, which would generate energy; there, the press is rendered as that release</source>
-        <translation>ein Rückweg liegt bei %2 um bis zu %1 über dem Hinweg einer anderen Geschwindigkeit, was Energie erzeugen würde; der Hinweg wird dort wie dieser Rückweg dargestellt</translation>
+        <source>at %2, the release at one speed lies up to %1 above the press at another and would add energy; there the press follows that release</source>
+        <translation>bei %2 liegt der Rückweg einer Geschwindigkeit um bis zu %1 über dem Hinweg einer anderen und würde Energie zuführen; dort folgt der Hinweg diesem Rückweg</translation>
     </message>
     <message>
-        <source>the dependence on speed damps by %1 at %2; %3 is rendered</source>
-        <translation>die Abhängigkeit von der Geschwindigkeit dämpft bei %2 mit %1; dargestellt wird %3</translation>
+        <source>at %2, the force changes with speed like a damping of %1; the device reproduces %3</source>
+        <translation>bei %2 ändert sich die Kraft mit der Geschwindigkeit wie eine Dämpfung von %1; das Gerät gibt %3 wieder</translation>
     </message>
     <message>
-        <source>the dependence on speed adds energy (%1) at %2; %3 is rendered</source>
-        <translation>die Abhängigkeit von der Geschwindigkeit führt bei %2 Energie zu (%1); dargestellt wird %3</translation>
+        <source>at %2, the change of force with speed adds energy (%1); the device reproduces %3</source>
+        <translation>bei %2 führt die Änderung der Kraft mit der Geschwindigkeit Energie zu (%1); das Gerät gibt %3 wieder</translation>
     </message>
     <message>
         <source>%1 mm/s</source>
@@ -2590,8 +2590,8 @@ Lizenz: %3</translation>
         <translation>ist eine Seite zum Importieren, kein Taster</translation>
     </message>
     <message>
-        <source>Open it with Import</source>
-        <translation>Mit Importieren öffnen</translation>
+        <source>Import the file with File &gt; Import a datasheet</source>
+        <translation>Importieren Sie die Datei mit Datei &gt; Ein Datenblatt importieren</translation>
     </message>
     <message>
         <source>cannot be saved as a PNG</source>
@@ -2606,28 +2606,28 @@ Lizenz: %3</translation>
         <translation>Wählen Sie einen anderen Ort oder Namen</translation>
     </message>
     <message>
-        <source>Export it at a smaller size</source>
-        <translation>In kleinerer Größe exportieren</translation>
+        <source>Choose a smaller size for the picture</source>
+        <translation>Wählen Sie eine kleinere Bildgröße</translation>
     </message>
     <message>
         <source>cannot be drawn</source>
         <translation>lässt sich nicht zeichnen</translation>
     </message>
     <message>
-        <source>Export a PNG</source>
-        <translation>Eine PNG exportieren</translation>
+        <source>Export a PNG instead</source>
+        <translation>Exportieren Sie stattdessen eine PNG</translation>
     </message>
     <message>
         <source>could not be drawn</source>
         <translation>ließ sich nicht zeichnen</translation>
     </message>
     <message>
-        <source>Export it as SVG</source>
-        <translation>Als SVG exportieren</translation>
+        <source>Export an SVG instead</source>
+        <translation>Exportieren Sie stattdessen eine SVG</translation>
     </message>
     <message>
-        <source>It was left by an editor that ended unexpectedly; it can be deleted</source>
-        <translation>Sie stammt von einem unerwartet beendeten Editor und kann gelöscht werden</translation>
+        <source>The file was left by a Detent that ended unexpectedly; you can delete it</source>
+        <translation>Die Datei stammt von einem unerwartet beendeten Detent; Sie können sie löschen</translation>
     </message>
     <message>
         <source>is not a recovery file: %1</source>
@@ -2646,64 +2646,64 @@ Lizenz: %3</translation>
         <translation>sie enthält kein Bild</translation>
     </message>
     <message>
-        <source>Copy the picture again, or save it to a file and open that</source>
-        <translation>Das Bild noch einmal kopieren, oder es in eine Datei speichern und diese öffnen</translation>
+        <source>Copy the picture again, or save it to a file and open the file</source>
+        <translation>Kopieren Sie das Bild noch einmal, oder speichern Sie es in eine Datei und öffnen Sie diese</translation>
     </message>
     <message>
         <source>has no release curve to paste into</source>
         <translation>hat keinen Rückweg, in den sich einfügen ließe</translation>
     </message>
     <message>
-        <source>Mirror the press to a release first</source>
-        <translation>Spiegeln Sie zuerst den Hinweg zu einem Rückweg</translation>
+        <source>Create a release first: Edit &gt; Curve &gt; Mirror press to release</source>
+        <translation>Erzeugen Sie zuerst einen Rückweg: Bearbeiten &gt; Kurve &gt; Hinweg zum Rückweg spiegeln</translation>
     </message>
     <message>
         <source>slope handle</source>
         <translation>Steigungsgriff</translation>
     </message>
     <message>
-        <source>would point to the other side of its knot</source>
-        <translation>würde zur anderen Seite seines Knotens zeigen</translation>
+        <source>would point to the other side of its curve point</source>
+        <translation>würde zur anderen Seite seines Kurvenpunkts zeigen</translation>
     </message>
     <message>
-        <source>Keep it left of the knot</source>
-        <translation>Links vom Knoten lassen</translation>
+        <source>Keep the handle left of the curve point</source>
+        <translation>Lassen Sie den Griff links vom Kurvenpunkt</translation>
     </message>
     <message>
-        <source>Keep it right of the knot</source>
-        <translation>Rechts vom Knoten lassen</translation>
+        <source>Keep the handle right of the curve point</source>
+        <translation>Lassen Sie den Griff rechts vom Kurvenpunkt</translation>
     </message>
     <message>
         <source>cannot be removed on its own</source>
         <translation>lässt sich nicht allein entfernen</translation>
     </message>
     <message>
-        <source>Select a knot, a tactile point, or the operating or reset point</source>
-        <translation>Einen Knoten, einen Druckpunkt, den Schaltpunkt oder den Rückschaltpunkt wählen</translation>
+        <source>Select a curve point, a tactile point, or the operating or reset point</source>
+        <translation>Wählen Sie einen Kurvenpunkt, einen Druckpunkt, den Schaltpunkt oder den Rückschaltpunkt</translation>
     </message>
     <message>
-        <source>names a knot that does not exist</source>
-        <translation>nennt einen Knoten, den es nicht gibt</translation>
+        <source>names a curve point that does not exist</source>
+        <translation>nennt einen Kurvenpunkt, den es nicht gibt</translation>
     </message>
     <message>
         <source>Select the points again</source>
         <translation>Die Punkte noch einmal wählen</translation>
     </message>
     <message>
-        <source>has fewer than two knots</source>
-        <translation>hat weniger als zwei Knoten</translation>
+        <source>has fewer than two curve points</source>
+        <translation>hat weniger als zwei Kurvenpunkte</translation>
     </message>
     <message>
-        <source>Select two or more; all align with the last one</source>
-        <translation>Zwei oder mehr wählen; alle richten sich nach dem letzten aus</translation>
+        <source>Select two or more points; all align with the last one</source>
+        <translation>Wählen Sie zwei oder mehr Punkte; alle richten sich nach dem letzten aus</translation>
     </message>
     <message>
-        <source>has fewer than three knots of one stroke</source>
-        <translation>hat weniger als drei Knoten eines Hubs</translation>
+        <source>has fewer than three curve points of one stroke</source>
+        <translation>hat weniger als drei Kurvenpunkte eines Hubs</translation>
     </message>
     <message>
-        <source>Select three or more; the outer two stay</source>
-        <translation>Drei oder mehr wählen; die beiden äußeren bleiben</translation>
+        <source>Select three or more points; the outer two stay in place</source>
+        <translation>Wählen Sie drei oder mehr Punkte; die beiden äußeren bleiben</translation>
     </message>
     <message>
         <source>%1 is more than 100 %. Press Enter again to keep it.</source>
@@ -2726,20 +2726,20 @@ Lizenz: %3</translation>
         <translation>Taster wählen</translation>
     </message>
     <message>
-        <source>Right-click the curve at that place to set it.</source>
-        <translation>Klicken Sie dort mit der rechten Maustaste auf die Kurve, um ihn zu setzen.</translation>
+        <source>To set the point, right-click its place on the curve.</source>
+        <translation>Um den Punkt zu setzen, klicken Sie mit der rechten Maustaste auf seine Stelle der Kurve.</translation>
     </message>
     <message>
-        <source>Use “Draw release” if the page shows one.</source>
-        <translation>Verwenden Sie „Rückweg zeichnen“, wenn die Seite einen zeigt.</translation>
+        <source>If the page shows a release, use “Draw release”.</source>
+        <translation>Wenn die Seite einen Rückweg zeigt, verwenden Sie „Rückweg zeichnen“.</translation>
     </message>
     <message>
-        <source>piece between knots %1 and %2</source>
-        <translation>Stück zwischen Knoten %1 und %2</translation>
+        <source>piece between curve points %1 and %2</source>
+        <translation>Stück zwischen den Kurvenpunkten %1 und %2</translation>
     </message>
     <message>
-        <source>Add a knot there (K) and move that</source>
-        <translation>Fügen Sie dort einen Knoten hinzu (K) und ziehen Sie diesen</translation>
+        <source>Add a curve point there (K) and move the new point</source>
+        <translation>Fügen Sie dort einen Kurvenpunkt hinzu (K) und verschieben Sie den neuen Punkt</translation>
     </message>
     <message>
         <source>would get an extra peak or valley</source>
@@ -2807,7 +2807,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>which of the records</source>
-        <translation>welche der Messungen</translation>
+        <translation>welche der Aufzeichnungen</translation>
     </message>
     <message>
         <source>the unit of force</source>
@@ -2839,7 +2839,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>whether a second column of force is the release</source>
-        <translation>ob eine zweite Spalte mit Kräften das Loslassen ist</translation>
+        <translation>ob eine zweite Spalte mit Kräften der Rückweg ist</translation>
     </message>
     <message>
         <source>their mean</source>
@@ -2851,7 +2851,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>it is another record</source>
-        <translation>es ist eine andere Messung</translation>
+        <translation>es ist eine andere Aufzeichnung</translation>
     </message>
     <message>
         <source>%1? %2</source>
@@ -2869,12 +2869,12 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::AddJumpTool</name>
     <message>
-        <source>Press on a rising part of a curve where the jump begins, then drag its valley into place.</source>
-        <translation>Drücken Sie die Maustaste auf einem steigenden Teil einer Kurve, wo der Sprung beginnt, und ziehen Sie sein Tal an die gewünschte Stelle.</translation>
+        <source>Hold the mouse button where the jump begins, on a rising part of a curve. Then drag the valley into place.</source>
+        <translation>Halten Sie die Maustaste, wo der Sprung beginnt, auf einem steigenden Teil einer Kurve. Ziehen Sie dann das Tal an seine Stelle.</translation>
     </message>
     <message>
-        <source>There is no curve here. Press nearer to one.</source>
-        <translation>Hier ist keine Kurve. Drücken Sie die Maustaste näher an einer Kurve.</translation>
+        <source>There is no curve here. Start nearer to one.</source>
+        <translation>Hier ist keine Kurve. Beginnen Sie näher an einer Kurve.</translation>
     </message>
     <message>
         <source>Add jump</source>
@@ -2884,16 +2884,16 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::AddKnotTool</name>
     <message>
-        <source>Click on a curve to add a knot; keep the button down to move it.</source>
-        <translation>Ein Klick auf eine Kurve setzt einen Knoten; mit gehaltener Taste verschieben Sie ihn.</translation>
+        <source>Click a curve to add a curve point. Keep the button down to move the new point.</source>
+        <translation>Klicken Sie auf eine Kurve, um einen Kurvenpunkt zu setzen. Halten Sie die Taste, um den neuen Punkt zu verschieben.</translation>
     </message>
     <message>
         <source>There is no curve here. Click nearer to one.</source>
         <translation>Hier ist keine Kurve. Klicken Sie näher an einer Kurve.</translation>
     </message>
     <message>
-        <source>Add knot</source>
-        <translation>Knoten hinzufügen</translation>
+        <source>Add curve point</source>
+        <translation>Kurvenpunkt hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -2923,8 +2923,8 @@ Lizenz: %3</translation>
         <translation>Teilstrich entfernen</translation>
     </message>
     <message>
-        <source>The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the plot frame stays rectangular.</source>
-        <translation>%1 des Rahmens: Ziehen Sie sie, oder verwenden Sie die Pfeiltasten (Umschalt ×10, Alt ÷10); mit Strg bleibt der Rahmen rechteckig.</translation>
+        <source>Drag the %1 of the plot frame, or use the arrow keys (Shift: 10 times the step, Alt: a tenth). Ctrl keeps the frame rectangular.</source>
+        <translation>Ziehen Sie am Rahmen (%1), oder verwenden Sie die Pfeiltasten (Umschalt: zehnfacher Schritt, Alt: ein Zehntel). Strg hält den Rahmen rechteckig.</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -2943,24 +2943,24 @@ Lizenz: %3</translation>
         <translation>Punkt hinzufügen</translation>
     </message>
     <message>
-        <source>Operating point here</source>
-        <translation>Schaltpunkt hier</translation>
+        <source>Set operating point here</source>
+        <translation>Schaltpunkt hier setzen</translation>
     </message>
     <message>
-        <source>Reset point here</source>
-        <translation>Rückschaltpunkt hier</translation>
+        <source>Set reset point here</source>
+        <translation>Rückschaltpunkt hier setzen</translation>
     </message>
     <message>
-        <source>Tactile point of the press here</source>
-        <translation>Druckpunkt des Hinwegs hier</translation>
+        <source>Set tactile point of the press here</source>
+        <translation>Druckpunkt des Hinwegs hier setzen</translation>
     </message>
     <message>
-        <source>Tactile point of the release here</source>
-        <translation>Druckpunkt des Rückwegs hier</translation>
+        <source>Set tactile point of the release here</source>
+        <translation>Druckpunkt des Rückwegs hier setzen</translation>
     </message>
     <message>
-        <source>Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. Double-click a tick to type its value. Tab selects the next element, arrow keys move it, Delete removes it.</source>
-        <translation>Ziehen Sie Ecken und Kanten des Rahmens, Teilstriche oder Punkte der Kurve; ein Rechtsklick fügt einen Punkt hinzu. Ein Doppelklick auf einen Teilstrich öffnet die Eingabe seines Werts. Tab wählt das nächste Element, Pfeiltasten verschieben es, Entf entfernt es.</translation>
+        <source>Drag corners and edges of the plot frame, ticks, or points of the curve. Right-click to add a point. Double-click a tick to type its value. Tab selects the next element, arrow keys move it, Delete removes it.</source>
+        <translation>Ziehen Sie Ecken und Kanten des Rahmens, Teilstriche oder Punkte der Kurve. Ein Rechtsklick fügt einen Punkt hinzu. Ein Doppelklick auf einen Teilstrich öffnet die Eingabe seines Werts. Tab wählt das nächste Element, Pfeiltasten verschieben es, Entf entfernt es.</translation>
     </message>
 </context>
 <context>
@@ -2989,8 +2989,8 @@ Lizenz: %3</translation>
         <translation>Notizen</translation>
     </message>
     <message>
-        <source>At</source>
-        <translation>Punkt</translation>
+        <source>Position</source>
+        <translation>Stelle</translation>
     </message>
     <message>
         <source>Note</source>
@@ -3009,16 +3009,16 @@ Lizenz: %3</translation>
         <translation>Erstellt am</translation>
     </message>
     <message>
-        <source>Note for the selected point. Enter adds it.</source>
-        <translation>Notiz zum gewählten Punkt. Eingabe fügt sie hinzu.</translation>
+        <source>Note for the selected point. Press Enter to add the note.</source>
+        <translation>Notiz zum gewählten Punkt. Die Eingabetaste fügt die Notiz hinzu.</translation>
     </message>
     <message>
         <source>New note</source>
         <translation>Neue Notiz</translation>
     </message>
     <message>
-        <source>Name for a version of the button as it is now. Enter adds it.</source>
-        <translation>Name für eine Version des Tasters, wie er jetzt ist. Eingabe fügt sie hinzu.</translation>
+        <source>Name under which the present state of the button is kept. Press Enter to add the version.</source>
+        <translation>Name, unter dem der jetzige Stand des Tasters behalten wird. Die Eingabetaste fügt die Version hinzu.</translation>
     </message>
     <message>
         <source>Name of the version</source>
@@ -3081,8 +3081,8 @@ Lizenz: %3</translation>
         <translation>Alle entsperren</translation>
     </message>
     <message>
-        <source>All points can be moved again</source>
-        <translation>Alle Punkte lassen sich wieder bewegen</translation>
+        <source>Unlock all points, so that they can be moved again</source>
+        <translation>Alle Punkte entsperren, damit sie sich wieder bewegen lassen</translation>
     </message>
     <message>
         <source>Select a point first; the note will be attached to it.</source>
@@ -3133,16 +3133,16 @@ Lizenz: %3</translation>
         <translation>Wird das Ende eines Hubs verschoben, verschieben sich die Enden aller Hübe aller Zustände mit</translation>
     </message>
     <message>
-        <source>Link &amp;release to press, offset</source>
-        <translation>&amp;Rückweg an Hinweg koppeln, Abstand</translation>
+        <source>&amp;Release follows press, lower by</source>
+        <translation>&amp;Rückweg folgt Hinweg, tiefer um</translation>
     </message>
     <message>
         <source>Edits of the press also move the release. The release keeps its shape.</source>
         <translation>Änderungen des Hinwegs verschieben auch den Rückweg. Der Rückweg behält seine Form.</translation>
     </message>
     <message>
-        <source>Mean distance of the release below the press. Another value lowers or raises the whole release.</source>
-        <translation>Mittlerer Abstand des Rückwegs unter dem Hinweg. Ein anderer Wert senkt oder hebt den ganzen Rückweg.</translation>
+        <source>How far the release lies below the press on average. Another value moves the whole release up or down.</source>
+        <translation>Wie weit der Rückweg im Mittel unter dem Hinweg liegt. Ein anderer Wert hebt oder senkt den ganzen Rückweg.</translation>
     </message>
     <message>
         <source>Lower the release</source>
@@ -3291,20 +3291,20 @@ Lizenz: %3</translation>
         <translation>nicht gedruckt, geraten</translation>
     </message>
     <message>
-        <source>1 tick given; one more defines the axis</source>
-        <translation>1 Teilstrich vorgegeben; einer mehr legt die Achse fest</translation>
+        <source>1 tick set; set one more to define the axis</source>
+        <translation>1 Teilstrich gesetzt; setzen Sie noch einen, um die Achse festzulegen</translation>
     </message>
     <message>
-        <source>%1 ticks given</source>
-        <translation>%1 Teilstriche vorgegeben</translation>
+        <source>%1 ticks set</source>
+        <translation>%1 Teilstriche gesetzt</translation>
     </message>
     <message>
         <source>titled “%1”</source>
         <translation>beschriftet „%1“</translation>
     </message>
     <message>
-        <source>Tick labels of this axis lie outside the plot frame: move its edge to include them</source>
-        <translation>Zahlen dieser Achse liegen außerhalb des Rahmens: Verschieben Sie seine Kante bis dorthin</translation>
+        <source>Some tick labels of this axis lie outside the plot frame. Move the edge of the frame to include them</source>
+        <translation>Einige Zahlen dieser Achse liegen außerhalb des Rahmens. Verschieben Sie die Kante des Rahmens, um sie einzuschließen</translation>
     </message>
     <message>
         <source>Extend the plot frame from %1 to %2</source>
@@ -3367,16 +3367,16 @@ Lizenz: %3</translation>
         <translation>Richtung der Achse</translation>
     </message>
     <message>
-        <source>1 tick given</source>
-        <translation>1 Teilstrich vorgegeben</translation>
+        <source>1 tick set</source>
+        <translation>1 Teilstrich gesetzt</translation>
     </message>
     <message>
-        <source>%1 of %2 printed numbers agree</source>
-        <translation>%1 von %2 gedruckten Zahlen stimmen überein</translation>
+        <source>%1 of %2 printed numbers agree with your values</source>
+        <translation>%1 von %2 gedruckten Zahlen stimmen mit Ihren Werten überein</translation>
     </message>
     <message>
-        <source>%1 of %2 printed numbers used (residual %3 px)</source>
-        <translation>%1 von %2 gedruckten Zahlen verwendet (Restfehler %3 px)</translation>
+        <source>%1 of %2 printed numbers used (deviation %3 px)</source>
+        <translation>%1 von %2 gedruckten Zahlen verwendet (Abweichung %3 px)</translation>
     </message>
 </context>
 <context>
@@ -3426,8 +3426,8 @@ Lizenz: %3</translation>
         <translation>&amp;Dateien wählen …</translation>
     </message>
     <message>
-        <source>Import these files in place of those listed</source>
-        <translation>Diese Dateien statt der aufgeführten importieren</translation>
+        <source>Choose files to import; they replace those in the list</source>
+        <translation>Dateien zum Importieren wählen; sie ersetzen die in der Liste</translation>
     </message>
     <message>
         <source>Choose a f&amp;older…</source>
@@ -3498,8 +3498,8 @@ Lizenz: %3</translation>
         <translation>Wählen Sie Dateien oder einen Ordner. Jeder Graph darin wird im Hintergrund importiert.</translation>
     </message>
     <message>
-        <source>Import all datasheets, pictures and tables in a folder and the folders below it</source>
-        <translation>Alle Datenblätter, Bilder und Tabellen eines Ordners und der Ordner darin importieren</translation>
+        <source>Import all datasheets, pictures and tables in a folder and its subfolders</source>
+        <translation>Alle Datenblätter, Bilder und Tabellen eines Ordners und seiner Unterordner importieren</translation>
     </message>
     <message>
         <source>No datasheet, picture or table was found in %1.</source>
@@ -3513,8 +3513,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::BatchImport</name>
     <message>
-        <source>It needs more memory than there is.</source>
-        <translation>Sie braucht mehr Speicher, als da ist.</translation>
+        <source>The file needs more memory than is available.</source>
+        <translation>Die Datei braucht mehr Speicher, als verfügbar ist.</translation>
     </message>
 </context>
 <context>
@@ -3539,8 +3539,8 @@ Lizenz: %3</translation>
         <translation>Keine Probleme gefunden.</translation>
     </message>
     <message>
-        <source>Press Enter or click to go there</source>
-        <translation>Eingabetaste oder Klick führt dorthin</translation>
+        <source>Click a problem, or press Enter, to go to its place</source>
+        <translation>Ein Klick auf ein Problem oder die Eingabetaste führt zu seiner Stelle</translation>
     </message>
 </context>
 <context>
@@ -3554,8 +3554,8 @@ Lizenz: %3</translation>
         <translation>Die Kraftgraphen übereinander</translation>
     </message>
     <message>
-        <source>Point at the graph to read values; click to pin a cursor and read differences from there.</source>
-        <translation>Zeigen Sie auf den Graphen, um Werte abzulesen; ein Klick heftet einen Zeiger an, von dem aus Unterschiede zählen.</translation>
+        <source>Point at the graph to read values. Click to set a cursor and read differences from there.</source>
+        <translation>Zeigen Sie auf den Graphen, um Werte abzulesen. Ein Klick setzt einen Zeiger, von dem aus Sie Unterschiede ablesen.</translation>
     </message>
     <message>
         <source>&amp;Difference</source>
@@ -3566,8 +3566,8 @@ Lizenz: %3</translation>
         <translation>&amp;Bild …</translation>
     </message>
     <message>
-        <source>Write the graphs with their names as PNG, SVG or PDF</source>
-        <translation>Die Graphen mit ihren Namen als PNG, SVG oder PDF schreiben</translation>
+        <source>Save the graphs with their names as PNG, SVG or PDF</source>
+        <translation>Die Graphen mit ihren Namen als PNG, SVG oder PDF speichern</translation>
     </message>
     <message>
         <source>C&amp;opy the picture</source>
@@ -3598,8 +3598,8 @@ Lizenz: %3</translation>
         <translation>Taster %1</translation>
     </message>
     <message>
-        <source>Which state of a self-locking button is compared</source>
-        <translation>Welcher Zustand eines rastenden Tasters verglichen wird</translation>
+        <source>State of a self-locking button to compare</source>
+        <translation>Zustand eines rastenden Tasters, der verglichen wird</translation>
     </message>
     <message>
         <source>State of button %1</source>
@@ -3677,8 +3677,8 @@ Lizenz: %3</translation>
         <translation>%1 Hinweg %2</translation>
     </message>
     <message>
-        <source>From the pinned cursor: %1; %2</source>
-        <translation>Vom angehefteten Zeiger: %1; %2</translation>
+        <source>Difference from the pinned cursor: %1; %2</source>
+        <translation>Unterschied zum angehefteten Zeiger: %1; %2</translation>
     </message>
     <message>
         <source>Difference (%1)</source>
@@ -3744,8 +3744,8 @@ Lizenz: %3</translation>
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>Resolution at which a page of a document is drawn before it is traced, in dots per inch</source>
-        <translation>Auflösung, mit der eine Seite eines Dokuments gezeichnet wird, bevor sie abgelesen wird, in Punkten je Zoll</translation>
+        <source>Resolution of the page picture that is traced, in dots per inch</source>
+        <translation>Auflösung des Seitenbilds, das abgelesen wird, in Punkten je Zoll</translation>
     </message>
     <message>
         <source>Reset resolution</source>
@@ -3771,8 +3771,8 @@ Lizenz: %3</translation>
         <translation>Dämpfung über dem Weg</translation>
     </message>
     <message>
-        <source>Drag points; double-click the line to add one, Delete removes the selected one.</source>
-        <translation>Ziehen Sie Punkte; ein Doppelklick auf die Linie setzt einen, Entf entfernt den gewählten.</translation>
+        <source>Drag points to move them. Double-click the line to add a point; Delete removes the selected one.</source>
+        <translation>Ziehen Sie Punkte, um sie zu verschieben. Ein Doppelklick auf die Linie setzt einen Punkt, Entf entfernt den gewählten.</translation>
     </message>
     <message>
         <source>Damping point %1: %2, %3</source>
@@ -3798,20 +3798,20 @@ Lizenz: %3</translation>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>Energy kept: %1</source>
-        <translation>Erhaltene Energie: %1</translation>
+        <source>Energy of the vibration kept: %1</source>
+        <translation>Erhaltene Energie der Vibration: %1</translation>
     </message>
     <message>
-        <source>Largest timing error: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz</source>
-        <translation>Größter Zeitfehler: %1 ms; verschmolzene Grains: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
+        <source>Largest timing error: %1 ms; pulses merged: %2; frequencies shifted by up to %3 Hz</source>
+        <translation>Größter Zeitfehler: %1 ms; zusammengefasste Impulse: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
     </message>
     <message>
-        <source>The format cannot hold the whole press: its end is cut off. The file states where.</source>
-        <translation>Das Format fasst nicht die ganze Betätigung: Ihr Ende ist abgeschnitten. Die Datei gibt an, wo.</translation>
+        <source>The format cannot hold the whole press: the end of the press is cut off. The file states where.</source>
+        <translation>Das Format fasst nicht die ganze Betätigung: Das Ende der Betätigung ist abgeschnitten. Die Datei gibt an, wo.</translation>
     </message>
     <message>
-        <source>Target format of the press</source>
-        <translation>Zielformat der Betätigung</translation>
+        <source>Format or device to export the press for</source>
+        <translation>Format oder Gerät, für das die Betätigung exportiert wird</translation>
     </message>
     <message>
         <source>Samples per second</source>
@@ -3865,8 +3865,8 @@ Lizenz: %3</translation>
         <translation>Weg über der Kraft</translation>
     </message>
     <message>
-        <source>What a finger feels that controls force: jumps appear as vertical lines.</source>
-        <translation>Was ein Finger fühlt, der die Kraft steuert: Sprünge erscheinen als senkrechte Linien.</translation>
+        <source>What a finger feels when it controls the force. Jumps appear as vertical lines.</source>
+        <translation>Was ein Finger fühlt, wenn er die Kraft steuert. Sprünge erscheinen als senkrechte Linien.</translation>
     </message>
 </context>
 <context>
@@ -3879,12 +3879,12 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::DrawCurveTool</name>
     <message>
-        <source>Click points along the press curve, or draw along it; Enter or a double-click ends it. Drawing over part of a traced curve replaces that part.</source>
-        <translation>Klicken Sie Punkte entlang der Hinwegkurve, oder zeichnen Sie an ihr entlang; die Eingabetaste oder ein Doppelklick beendet sie. Über einem Teil einer abgelesenen Kurve ersetzt die Zeichnung diesen Teil.</translation>
+        <source>Click points along the press curve, or draw along it. Press Enter or double-click to finish. To correct part of a traced curve, draw over that part.</source>
+        <translation>Klicken Sie Punkte entlang der Hinwegkurve, oder zeichnen Sie an ihr entlang. Beenden Sie mit der Eingabetaste oder einem Doppelklick. Um einen Teil einer abgelesenen Kurve zu berichtigen, zeichnen Sie über diesen Teil.</translation>
     </message>
     <message>
-        <source>Click points along the release curve, or draw along it; Enter or a double-click ends it. Drawing over part of a traced curve replaces that part.</source>
-        <translation>Klicken Sie Punkte entlang der Rückwegkurve, oder zeichnen Sie an ihr entlang; die Eingabetaste oder ein Doppelklick beendet sie. Über einem Teil einer abgelesenen Kurve ersetzt die Zeichnung diesen Teil.</translation>
+        <source>Click points along the release curve, or draw along it. Press Enter or double-click to finish. To correct part of a traced curve, draw over that part.</source>
+        <translation>Klicken Sie Punkte entlang der Rückwegkurve, oder zeichnen Sie an ihr entlang. Beenden Sie mit der Eingabetaste oder einem Doppelklick. Um einen Teil einer abgelesenen Kurve zu berichtigen, zeichnen Sie über diesen Teil.</translation>
     </message>
     <message>
         <source>Draw press curve</source>
@@ -3902,8 +3902,8 @@ Lizenz: %3</translation>
         <translation>Rahmen zeichnen</translation>
     </message>
     <message>
-        <source>Drag from one corner of the area in which the curves are drawn to the opposite one. Over the current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.</source>
-        <translation>Ziehen Sie von einer Ecke des Bereichs, in dem die Kurven gezeichnet sind, zur gegenüberliegenden. Über dem aktuellen Rahmen ersetzt der neue diesen; an anderer Stelle kommt ein Graph hinzu. Die Kanten rasten an Linien ein.</translation>
+        <source>Drag across the area in which the curves are drawn, from corner to corner. Over the current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.</source>
+        <translation>Ziehen Sie über den Bereich, in dem die Kurven gezeichnet sind, von Ecke zu Ecke. Über dem aktuellen Rahmen ersetzt der neue diesen; an anderer Stelle kommt ein Graph hinzu. Die Kanten rasten an Linien ein.</translation>
     </message>
 </context>
 <context>
@@ -3949,8 +3949,8 @@ Lizenz: %3</translation>
         <translation>Hinweise</translation>
     </message>
     <message>
-        <source>Letters, digits, - and _; not a person&apos;s name. A participant in the list continues with the question they had reached</source>
-        <translation>Buchstaben, Ziffern, - und _; kein Personenname. Wer in der Liste steht, macht bei der zuletzt gestellten Frage weiter</translation>
+        <source>Use letters, digits, - and _, not a person&apos;s name. Participants in the list continue with the question that they had reached</source>
+        <translation>Verwenden Sie Buchstaben, Ziffern, - und _, keinen Personennamen. Wer in der Liste steht, macht bei der zuletzt erreichten Frage weiter</translation>
     </message>
     <message>
         <source>Rehearsals and simulated answers are marked in every row and on every page of the report</source>
@@ -3985,8 +3985,8 @@ Lizenz: %3</translation>
         <translation>durch Regengeräusch maskiert</translation>
     </message>
     <message>
-        <source>on the output channels after those of the vibration</source>
-        <translation>auf den Ausgangskanälen nach denen der Vibration</translation>
+        <source>on the channels after those of the vibration</source>
+        <translation>auf den Kanälen nach denen der Vibration</translation>
     </message>
     <message>
         <source>Sound device of the headphones that play rain noise; turn up the volume until the vibration is inaudible</source>
@@ -4105,8 +4105,8 @@ Lizenz: %3</translation>
         <translation>liest die Anleitung</translation>
     </message>
     <message>
-        <source>is at a question</source>
-        <translation>ist an einer Frage</translation>
+        <source>is answering a question</source>
+        <translation>beantwortet eine Frage</translation>
     </message>
     <message>
         <source>is resting</source>
@@ -4133,16 +4133,16 @@ Lizenz: %3</translation>
         <translation>Kraftgerät des Bereichs „Fühlen“</translation>
     </message>
     <message>
-        <source>The button is felt and pressed on this device; choose it in the Feel panel under Setup</source>
-        <translation>Der Taster wird auf diesem Gerät gefühlt und gedrückt; wählen Sie es im Bereich „Fühlen“ unter „Einrichtung“</translation>
+        <source>Participants press and feel the buttons on this device. Choose it in the Feel panel under Setup</source>
+        <translation>Die Versuchspersonen drücken und fühlen die Taster auf diesem Gerät. Wählen Sie es im Bereich „Fühlen“ unter „Einrichtung“</translation>
     </message>
     <message>
         <source>none is chosen</source>
         <translation>keines ist gewählt</translation>
     </message>
     <message>
-        <source>Choose one in the Feel panel under Setup</source>
-        <translation>Eines im Bereich „Fühlen“ unter „Einrichtung“ wählen</translation>
+        <source>Choose a force device in the Feel panel under Setup</source>
+        <translation>Wählen Sie ein Kraftgerät im Bereich „Fühlen“ unter „Einrichtung“</translation>
     </message>
     <message>
         <source>Study</source>
@@ -4263,40 +4263,40 @@ Lizenz: %3</translation>
         <translation>Einrichtung</translation>
     </message>
     <message>
-        <source>Pad, feedback, devices and force sensor</source>
-        <translation>Feld, Rückmeldung, Geräte und Kraftsensor</translation>
+        <source>Set up pad, feedback, devices and force sensor</source>
+        <translation>Feld, Rückmeldung, Geräte und Kraftsensor einrichten</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Press the other button</source>
-        <translation>Den anderen Taster drücken</translation>
+        <source>Press the other button (A or B)</source>
+        <translation>Den anderen Taster drücken (A oder B)</translation>
     </message>
     <message>
         <source>Standard press</source>
         <translation>Standardbetätigung</translation>
     </message>
     <message>
-        <source>Show and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms</source>
-        <translation>Eine Standardbetätigung zeigen und abspielen: Anstieg 120 ms, Halten 80 ms, Abfall 100 ms</translation>
+        <source>Show and play a standard press: 120 ms down, 80 ms held, 100 ms up</source>
+        <translation>Eine Standardbetätigung zeigen und abspielen: 120 ms hinunter, 80 ms gehalten, 100 ms hinauf</translation>
     </message>
     <message>
         <source>My last press</source>
         <translation>Meine letzte Betätigung</translation>
     </message>
     <message>
-        <source>Show and play your own last press, on A, on B and after every edit, so that all are pressed in the same way</source>
-        <translation>Ihre letzte Betätigung zeigen und abspielen, auf A, auf B und nach jeder Änderung, damit alle gleich gedrückt werden</translation>
+        <source>Show and play your own last press. It is repeated on A, on B and after every edit, so that all are pressed in the same way</source>
+        <translation>Ihre letzte Betätigung zeigen und abspielen. Sie wird auf A, auf B und nach jeder Änderung wiederholt, damit alle gleich gedrückt werden</translation>
     </message>
     <message>
         <source>Play the press shown</source>
         <translation>Gezeigte Betätigung abspielen</translation>
     </message>
     <message>
-        <source>Play the press shown; the sound device drives the transducer without a finger</source>
-        <translation>Die gezeigte Betätigung abspielen; das Audiogerät bewegt den Wandler ohne Finger</translation>
+        <source>Send the press shown to the sound device; no finger is needed</source>
+        <translation>Die gezeigte Betätigung an das Audiogerät senden; kein Finger ist nötig</translation>
     </message>
     <message>
         <source>Play</source>
@@ -4370,8 +4370,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::FeelSession</name>
     <message>
-        <source>Pressing %1, at its true level</source>
-        <translation>%1 wird mit seinem wahren Pegel gedrückt</translation>
+        <source>You are pressing %1, at its true level</source>
+        <translation>Sie drücken %1, mit wahrem Pegel</translation>
     </message>
     <message>
         <source>Only one press can be played at a time</source>
@@ -4382,15 +4382,15 @@ Lizenz: %3</translation>
         <translation>Schalten Sie den Ton ein, um eine Betätigung abzuspielen</translation>
     </message>
     <message>
-        <source>Switch the sound on to play it</source>
-        <translation>Schalten Sie den Ton ein, um es zu spielen</translation>
+        <source>Switch the sound on to play the reference</source>
+        <translation>Schalten Sie den Ton ein, um die Referenz abzuspielen</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::FeelSetup</name>
     <message>
-        <source>What mouse and touch do on the pad. Keys press by time, a pen by its pressure.</source>
-        <translation>Was Maus und Berührung auf dem Feld bewirken. Tasten drücken nach Zeit, ein Stift nach seinem Druck.</translation>
+        <source>How mouse and touch press the pad. Keys always play a timed press; a pen presses by its pressure.</source>
+        <translation>Wie Maus und Berührung das Feld drücken. Tasten spielen immer eine zeitgesteuerte Betätigung ab; ein Stift drückt mit seinem Druck.</translation>
     </message>
     <message>
         <source>Hold: a human-like press</source>
@@ -4413,8 +4413,8 @@ Lizenz: %3</translation>
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>Force of a full press: at the end of a timed press, at full pen pressure, at the end of a drag. Automatic: a quarter more than the button&apos;s strongest force.</source>
-        <translation>Kraft bei voller Betätigung: am Ende einer zeitgesteuerten Betätigung, bei vollem Stiftdruck, am Ende des Ziehens. Automatisch: ein Viertel mehr als die größte Kraft des Tasters.</translation>
+        <source>Force at the end of a timed press, at full pen pressure, or at the end of a drag. Automatic: a quarter more than the button&apos;s strongest force.</source>
+        <translation>Kraft am Ende einer zeitgesteuerten Betätigung, bei vollem Stiftdruck oder am Ende des Ziehens. Automatisch: ein Viertel mehr als die größte Kraft des Tasters.</translation>
     </message>
     <message>
         <source>&amp;Full press:</source>
@@ -4441,8 +4441,8 @@ Lizenz: %3</translation>
         <translation>Nur Klicks (Sprünge, Anschlag)</translation>
     </message>
     <message>
-        <source>Slopes only (grains)</source>
-        <translation>Nur Steigungen (Grains)</translation>
+        <source>Slopes only (vibration pulses)</source>
+        <translation>Nur Steigungen (Vibrationsimpulse)</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -4457,24 +4457,24 @@ Lizenz: %3</translation>
         <translation>Gleichmäßig: feste Verzögerung für jedes Ereignis</translation>
     </message>
     <message>
-        <source>Events are played at the time at which the finger passed them, plus a constant delay.</source>
-        <translation>Ereignisse werden zu dem Zeitpunkt gespielt, zu dem der Finger sie überschritt, mit fester Verzögerung.</translation>
+        <source>Events are played with a constant delay after the finger passed them.</source>
+        <translation>Ereignisse werden mit fester Verzögerung gespielt, nachdem der Finger sie überschritt.</translation>
     </message>
     <message>
         <source>Fast: every event as early as possible</source>
         <translation>Schnell: jedes Ereignis so früh wie möglich</translation>
     </message>
     <message>
-        <source>Events are played as soon as a reading shows them: earlier on average, less evenly.</source>
-        <translation>Ereignisse werden gespielt, sobald ein Messwert sie zeigt: im Mittel früher, weniger gleichmäßig.</translation>
+        <source>Events are played as soon as the sensor shows them: earlier on average, but less evenly.</source>
+        <translation>Ereignisse werden gespielt, sobald der Sensor sie zeigt: im Mittel früher, aber weniger gleichmäßig.</translation>
     </message>
     <message>
         <source>Timing:</source>
         <translation>Zeitverhalten:</translation>
     </message>
     <message>
-        <source>A .device file: response of the transducer, calibration of the sensor, as measured by detent-play sweep and calibrate.</source>
-        <translation>Eine .device-Datei: Frequenzgang des Wandlers und Kalibrierung des Sensors, wie detent-play sweep und calibrate sie messen.</translation>
+        <source>A .device file with the response of the transducer and the calibration of the sensor. Measure them with detent-play sweep and detent-play calibrate.</source>
+        <translation>Eine .device-Datei mit dem Frequenzgang des Wandlers und der Kalibrierung des Sensors. Messen Sie sie mit detent-play sweep und detent-play calibrate.</translation>
     </message>
     <message>
         <source>None</source>
@@ -4549,8 +4549,8 @@ Lizenz: %3</translation>
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Press with the force sensor; calibrated by the device profile</source>
-        <translation>Mit dem Kraftsensor drücken; kalibriert durch das Geräteprofil</translation>
+        <source>Press with the force sensor, as calibrated in the device profile</source>
+        <translation>Mit dem Kraftsensor drücken, wie im Geräteprofil kalibriert</translation>
     </message>
     <message>
         <source>Force se&amp;nsor:</source>
@@ -4597,8 +4597,8 @@ Lizenz: %3</translation>
         <translation>gemessen %1</translation>
     </message>
     <message>
-        <source>From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without converter, amplifier and transducer (docs/measurements/bench-playback.md)</source>
-        <translation>Vom Überschreiten der Kraft an einem Sensor mit 425 Hz bis zum ersten Abtastwert, an einem JACK-Server, ohne Wandler, Verstärker und Umsetzer (docs/measurements/bench-playback.md)</translation>
+        <source>Delay from the moment the force passes a threshold to the first sound sample. Measured with a 425 Hz sensor and a JACK server, without converter, amplifier and transducer (docs/measurements/bench-playback.md)</source>
+        <translation>Verzögerung vom Überschreiten einer Kraftschwelle bis zum ersten Tonwert. Gemessen mit einem Sensor von 425 Hz und einem JACK-Server, ohne Wandler, Verstärker und Umsetzer (docs/measurements/bench-playback.md)</translation>
     </message>
     <message>
         <source>%1: </source>
@@ -4611,10 +4611,6 @@ Lizenz: %3</translation>
     <message>
         <source>; sensor calibrated from %1 to %2 N, ±%3 N</source>
         <translation>; Sensor kalibriert von %1 bis %2 N, ±%3 N</translation>
-    </message>
-    <message>
-        <source>; measured delay %1 ms (SD %2, N = %3)</source>
-        <translation>; gemessene Verzögerung %1 ms (SD %2, N = %3)</translation>
     </message>
     <message>
         <source>Waiting for the first reading. If none arrives, check the baud rate.</source>
@@ -4647,6 +4643,10 @@ Lizenz: %3</translation>
     <message>
         <source>Unplugged. Resumes when reconnected.</source>
         <translation>Abgezogen. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
+    </message>
+    <message>
+        <source>; measured delay %1 ms, standard deviation %2 ms, %3 measurements</source>
+        <translation>; gemessene Verzögerung %1 ms, Standardabweichung %2 ms, %3 Messungen</translation>
     </message>
 </context>
 <context>
@@ -4728,8 +4728,8 @@ Lizenz: %3</translation>
         <translation>Ein anderes Programm hat diese Datei geändert.</translation>
     </message>
     <message>
-        <source>Keep mine</source>
-        <translation>Meine behalten</translation>
+        <source>Keep my version</source>
+        <translation>Meine Fassung behalten</translation>
     </message>
     <message>
         <source>The file of this button was deleted or moved away. Saving writes it again.</source>
@@ -4779,12 +4779,12 @@ Lizenz: %3</translation>
         <translation>alle Arten</translation>
     </message>
     <message>
-        <source>Key &amp;figure from … to …</source>
-        <translation>&amp;Kennzahl von … bis …</translation>
+        <source>Filter by key &amp;figure…</source>
+        <translation>Nach Kenn&amp;zahl filtern …</translation>
     </message>
     <message>
-        <source>Show only switches with a key figure within limits</source>
-        <translation>Nur Schalter zeigen, deren Kennzahl innerhalb von Grenzen liegt</translation>
+        <source>Show only switches with a key figure within limits that you choose</source>
+        <translation>Nur Schalter zeigen, deren Kennzahl innerhalb der Grenzen liegt, die Sie wählen</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -4885,8 +4885,8 @@ Lizenz: %3</translation>
         <translation>Kraft</translation>
     </message>
     <message>
-        <source>&amp;Nearest stable button</source>
-        <translation>&amp;Nächster stabiler Taster</translation>
+        <source>&amp;Make button stable</source>
+        <translation>&amp;Taster stabil machen</translation>
     </message>
     <message>
         <source>Change the button only as much as the device requires: damping first, then slopes; peaks keep their force. Can be undone in one step.</source>
@@ -4897,8 +4897,8 @@ Lizenz: %3</translation>
         <translation>Kein Kraftgerät. Wählen Sie eines unter Einrichtung; simulierte brauchen keine Hardware.</translation>
     </message>
     <message>
-        <source>Simulated; nothing is moved. Switch on to watch it.</source>
-        <translation>Simuliert; nichts wird bewegt. Schalten Sie ein, um es zu beobachten.</translation>
+        <source>Simulated device: nothing moves in reality. Switch it on to watch it.</source>
+        <translation>Simuliertes Gerät: In Wirklichkeit bewegt sich nichts. Schalten Sie es ein, um es zu beobachten.</translation>
     </message>
     <message>
         <source>Off: the device applies no force.</source>
@@ -4917,8 +4917,8 @@ Lizenz: %3</translation>
         <translation>Noch keine Kraft: Ziehen Sie den Griff ganz heraus und schieben Sie ihn ganz hinein, bis das Licht grün ist.</translation>
     </message>
     <message>
-        <source>Simulated finger on: %1</source>
-        <translation>Simulierter Finger an: %1</translation>
+        <source>Simulated device on: %1</source>
+        <translation>Simuliertes Gerät an: %1</translation>
     </message>
     <message>
         <source>On: %1</source>
@@ -4937,8 +4937,8 @@ Lizenz: %3</translation>
         <translation>Geändert: %1</translation>
     </message>
     <message>
-        <source>Show in the graph which slopes the device can stably render</source>
-        <translation>Im Graphen zeigen, welche Steigungen das Gerät stabil darstellen kann</translation>
+        <source>Show in the graph which slopes the device can reproduce without vibrating</source>
+        <translation>Im Graphen zeigen, welche Steigungen das Gerät wiedergeben kann, ohne zu schwingen</translation>
     </message>
     <message>
         <source>The force device is disconnected and applies no force. Resumes when reconnected.</source>
@@ -4952,8 +4952,8 @@ Lizenz: %3</translation>
         <translation>Kraft, Energie und Zeitverhalten</translation>
     </message>
     <message>
-        <source>&lt;p&gt;&lt;b&gt;Force&lt;/b&gt;: the commanded force, and the largest one allowed.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energy&lt;/b&gt;: energy that the finger has put into the button since rest, and how much of it was returned. A balance below 0 means that the button returned more than it stored.&lt;/p&gt;&lt;p&gt;&lt;b&gt;On time&lt;/b&gt;: share of control steps that began within 0.1 ms of their time, and the latest one.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;Kraft&lt;/b&gt;: die Sollkraft und die größte zulässige Kraft.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energie&lt;/b&gt;: Energie, die der Finger seit der Ruhelage in den Taster eingebracht hat, und wie viel davon zurückkam. Eine Bilanz unter 0 heißt, dass der Taster mehr abgab, als er gespeichert hatte.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Pünktlich&lt;/b&gt;: Anteil der Regelschritte, die innerhalb von 0,1 ms ihres Zeitpunkts begannen, und der späteste.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;&lt;b&gt;Force&lt;/b&gt;: the commanded force, and the largest one allowed.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energy&lt;/b&gt;: energy that the finger has put into the button since rest, and how much of it was returned. A balance below 0 means that the button returned more than it stored.&lt;/p&gt;&lt;p&gt;&lt;b&gt;On time&lt;/b&gt;: share of control steps that began within 0.1 ms of their planned time, and the longest delay.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kraft&lt;/b&gt;: die Sollkraft und die größte zulässige Kraft.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energie&lt;/b&gt;: Energie, die der Finger seit der Ruhelage in den Taster eingebracht hat, und wie viel davon zurückkam. Eine Bilanz unter 0 heißt, dass der Taster mehr abgab, als er gespeichert hatte.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Pünktlich&lt;/b&gt;: Anteil der Regelschritte, die innerhalb von 0,1 ms ihres geplanten Zeitpunkts begannen, und die größte Verspätung.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Force</source>
@@ -4984,12 +4984,12 @@ Lizenz: %3</translation>
         <translation>%1 mJ, Bilanz %2 mJ</translation>
     </message>
     <message>
-        <source>%1 mJ, %2 of %3 back</source>
+        <source>%1 mJ, %2 of %3 returned</source>
         <translation>%1 mJ, %2 von %3 zurück</translation>
     </message>
     <message>
-        <source>%1 %, latest %2 ms</source>
-        <translation>%1 %, spätestens %2 ms</translation>
+        <source>%1 %, max. %2 ms late</source>
+        <translation>%1 %, max. %2 ms zu spät</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4999,12 +4999,12 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::ForceSession</name>
     <message>
-        <source>No change is needed: the device can render every slope of this button.</source>
-        <translation>Keine Änderung nötig: Das Gerät kann jede Steigung dieses Tasters darstellen.</translation>
+        <source>No change is needed: the device can reproduce every slope of this button.</source>
+        <translation>Keine Änderung nötig: Das Gerät kann jede Steigung dieses Tasters wiedergeben.</translation>
     </message>
     <message>
-        <source>Nearest stable button</source>
-        <translation>Nächster stabiler Taster</translation>
+        <source>Make button stable</source>
+        <translation>Taster stabil machen</translation>
     </message>
     <message>
         <source>Changed to the nearest stable button. Use Undo to go back.</source>
@@ -5014,8 +5014,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::ForceSetup</name>
     <message>
-        <source>Device that renders the force: a simulated one with a simulated finger, or a real one</source>
-        <translation>Gerät, das die Kraft darstellt: ein simuliertes mit einem simulierten Finger oder ein echtes</translation>
+        <source>Device that produces the force: a simulated one with a simulated finger, or a real one</source>
+        <translation>Gerät, das die Kraft erzeugt: ein simuliertes mit einem simulierten Finger oder ein echtes</translation>
     </message>
     <message>
         <source>none</source>
@@ -5106,8 +5106,8 @@ Lizenz: %3</translation>
         <translation>Encoderschri&amp;tt:</translation>
     </message>
     <message>
-        <source>Travel of the handle in one turn of the motor; negative where pressing turns it backwards</source>
-        <translation>Weg des Griffs bei einer Umdrehung des Motors; negativ, wo Drücken ihn rückwärts dreht</translation>
+        <source>Travel of the handle in one turn of the motor; negative if pressing turns the motor backwards</source>
+        <translation>Weg des Griffs bei einer Umdrehung des Motors; negativ, wenn Drücken den Motor rückwärts dreht</translation>
     </message>
     <message>
         <source>Travel per t&amp;urn:</source>
@@ -5126,8 +5126,8 @@ Lizenz: %3</translation>
         <translation>Dämpfen, wo der Taster mehr Energie abgibt, als er aufnahm</translation>
     </message>
     <message>
-        <source>Passivity controller: steadier on a device that vibrates, but less crisp where a button snaps</source>
-        <translation>Passivitätsregler: ruhiger auf einem Gerät, das schwingt, aber weniger ausgeprägt, wo ein Taster schnappt</translation>
+        <source>Steadier on a device that vibrates, but less crisp where a button snaps (passivity controller)</source>
+        <translation>Ruhiger auf einem Gerät, das schwingt, aber weniger ausgeprägt, wo ein Taster schnappt (Passivitätsregler)</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5153,8 +5153,8 @@ Lizenz: %3</translation>
         <translation>Vorhergesagte Verwechslung</translation>
     </message>
     <message>
-        <source>Predicted by a model of touch from the vibration of both buttons, without participants. Its limits: docs/reference/predicted-confusion.md.</source>
-        <translation>Vorhersage eines Modells des Tastsinns aus der Vibration beider Taster, ohne Versuchspersonen. Seine Grenzen: docs/reference/predicted-confusion.md.</translation>
+        <source>This prediction comes from the vibration of both buttons and a model of touch; no participants were asked. Its limits: docs/reference/predicted-confusion.md.</source>
+        <translation>Diese Vorhersage kommt aus der Vibration beider Taster und einem Modell des Tastsinns; niemand wurde befragt. Ihre Grenzen: docs/reference/predicted-confusion.md.</translation>
     </message>
     <message>
         <source>Make &amp;distinguishable…</source>
@@ -5169,8 +5169,8 @@ Lizenz: %3</translation>
         <translation>Es wird gesucht …</translation>
     </message>
     <message>
-        <source>No single change of snap ratio, travel or force by up to a factor of 4 is certain to make them distinguishable</source>
-        <translation>Keine einzelne Änderung von Schnappverhältnis, Weg oder Kraft bis zum Faktor 4 macht sie sicher unterscheidbar</translation>
+        <source>No change of snap ratio, travel or force alone, by up to a factor of 4, is certain to make the buttons distinguishable</source>
+        <translation>Keine Änderung von Schnappverhältnis, Weg oder Kraft allein, bis zum Faktor 4, macht die Taster sicher unterscheidbar</translation>
     </message>
 </context>
 <context>
@@ -5200,8 +5200,8 @@ Lizenz: %3</translation>
         <translation>Öffnen Sie zwei Taster oder mehr, um sie zu vergleichen.</translation>
     </message>
     <message>
-        <source>Predicted errors in 90 trials when people compare two buttons by feel; 45 means guessing. With at most 9, people can tell them apart; bold where that is not certain. Double-click to compare the two.</source>
-        <translation>Vorhergesagte Fehler in 90 Durchgängen, wenn Menschen zwei Taster nach Gefühl vergleichen; 45 bedeutet Raten. Bei höchstens 9 lassen sie sich unterscheiden; fett, wo das nicht sicher ist. Ein Doppelklick vergleicht die beiden.</translation>
+        <source>Number of wrong answers predicted if people compare two buttons by feel 90 times. 45 means guessing. With at most 9, people can tell the buttons apart; bold numbers are not certain. Double-click a number to compare the two.</source>
+        <translation>Zahl der vorhergesagten falschen Antworten, wenn Menschen zwei Taster 90-mal nach Gefühl vergleichen. 45 bedeutet Raten. Bei höchstens 9 lassen sich die Taster unterscheiden; fette Zahlen sind nicht sicher. Ein Doppelklick auf eine Zahl vergleicht die beiden.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -5484,24 +5484,24 @@ Lizenz: %3</translation>
         <translation>&amp;Schwarzweiß</translation>
     </message>
     <message>
-        <source>Press black, release black and dashed</source>
-        <translation>Hinweg schwarz, Rückweg schwarz und gestrichelt</translation>
+        <source>Draw the press in black, the release in black and dashed</source>
+        <translation>Den Hinweg schwarz zeichnen, den Rückweg schwarz und gestrichelt</translation>
     </message>
     <message>
         <source>&amp;Label points</source>
         <translation>P&amp;unkte beschriften</translation>
     </message>
     <message>
-        <source>Tactile points, operating and reset point and bottom-out, with their values</source>
-        <translation>Druckpunkte, Schalt- und Rückschaltpunkt und Anschlag, mit ihren Werten</translation>
+        <source>Label tactile points, operating and reset point and bottom-out with their values</source>
+        <translation>Druckpunkte, Schalt- und Rückschaltpunkt und Anschlag mit ihren Werten beschriften</translation>
     </message>
     <message>
         <source>Dimensio&amp;ns</source>
         <translation>&amp;Maße</translation>
     </message>
     <message>
-        <source>Pre-travel and differential travel</source>
-        <translation>Vorlaufweg und Differenzweg</translation>
+        <source>Show pre-travel and differential travel as dimension lines</source>
+        <translation>Vorlaufweg und Differenzweg als Maßlinien zeigen</translation>
     </message>
     <message>
         <source>Tolerance band, as a share of the press force</source>
@@ -5539,8 +5539,8 @@ Lizenz: %3</translation>
         <translation>Zustand des Tasters</translation>
     </message>
     <message>
-        <source>The state that is edited; the other one is drawn pale behind it.</source>
-        <translation>Der Zustand, der bearbeitet wird; der andere ist blass dahinter gezeichnet.</translation>
+        <source>State that you edit; the other state is drawn pale behind it.</source>
+        <translation>Zustand, den Sie bearbeiten; der andere Zustand ist blass dahinter gezeichnet.</translation>
     </message>
     <message>
         <source>&amp;Page</source>
@@ -5559,48 +5559,48 @@ Lizenz: %3</translation>
         <translation>&amp;Auswählen und verschieben</translation>
     </message>
     <message>
-        <source>Drag tactile points, knots, slope handles and sections</source>
-        <translation>Druckpunkte, Knoten, Steigungsgriffe und Abschnitte ziehen</translation>
+        <source>Drag tactile points, curve points, slope handles and sections</source>
+        <translation>Druckpunkte, Kurvenpunkte, Steigungsgriffe und Abschnitte ziehen</translation>
     </message>
     <message>
-        <source>Add &amp;knot</source>
-        <translation>&amp;Knoten hinzufügen</translation>
+        <source>Add &amp;curve point</source>
+        <translation>&amp;Kurvenpunkt hinzufügen</translation>
     </message>
     <message>
-        <source>Click on a curve to add a knot</source>
-        <translation>Auf eine Kurve klicken, um einen Knoten zu setzen</translation>
+        <source>Click a curve to add a curve point</source>
+        <translation>Auf eine Kurve klicken, um einen Kurvenpunkt zu setzen</translation>
     </message>
     <message>
         <source>Add &amp;jump</source>
         <translation>&amp;Sprung hinzufügen</translation>
     </message>
     <message>
-        <source>Press where the jump begins, then drag its valley into place</source>
-        <translation>Maustaste drücken, wo der Sprung beginnt, und sein Tal an die gewünschte Stelle ziehen</translation>
+        <source>Hold the mouse button where the jump begins, then drag the valley into place</source>
+        <translation>Maustaste halten, wo der Sprung beginnt, dann das Tal an seine Stelle ziehen</translation>
     </message>
     <message>
         <source>&amp;Pan</source>
         <translation>Ansicht verschie&amp;ben</translation>
     </message>
     <message>
-        <source>Drag the view; the middle button does it in every tool</source>
-        <translation>Die Ansicht ziehen; die mittlere Maustaste tut es mit jedem Werkzeug</translation>
+        <source>Drag the view; the middle mouse button does the same in every tool</source>
+        <translation>Die Ansicht ziehen; die mittlere Maustaste tut dasselbe mit jedem Werkzeug</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>Removes the selected knot, jump, operating or reset point</source>
-        <translation>Entfernt den gewählten Knoten, Sprung, Schalt- oder Rückschaltpunkt</translation>
+        <source>Removes the selected curve point, jump, operating or reset point</source>
+        <translation>Entfernt den gewählten Kurvenpunkt, Sprung, Schalt- oder Rückschaltpunkt</translation>
     </message>
     <message>
         <source>&amp;Corner or smooth</source>
         <translation>&amp;Ecke oder glatt</translation>
     </message>
     <message>
-        <source>Turns the selected knot into a corner, or smooths it</source>
-        <translation>Macht den gewählten Knoten zur Ecke oder glättet ihn</translation>
+        <source>Turns the selected curve point into a corner, or makes it smooth</source>
+        <translation>Macht den gewählten Kurvenpunkt zur Ecke oder glättet ihn</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
@@ -5623,40 +5623,40 @@ Lizenz: %3</translation>
         <translation>A&amp;lles auswählen</translation>
     </message>
     <message>
-        <source>Selects all knots, operating and reset point</source>
-        <translation>Wählt alle Knoten, Schalt- und Rückschaltpunkt</translation>
+        <source>Selects all curve points, operating and reset point</source>
+        <translation>Wählt alle Kurvenpunkte, Schalt- und Rückschaltpunkt</translation>
     </message>
     <message>
         <source>Align to the same &amp;force</source>
         <translation>Auf gleiche &amp;Kraft ausrichten</translation>
     </message>
     <message>
-        <source>Brings the selected knots to the force of the last one</source>
-        <translation>Bringt die gewählten Knoten auf die Kraft des letzten</translation>
+        <source>Moves the selected points to the force of the last one</source>
+        <translation>Verschiebt die gewählten Punkte auf die Kraft des letzten</translation>
     </message>
     <message>
         <source>Align to the same &amp;displacement</source>
         <translation>Auf gleichen &amp;Weg ausrichten</translation>
     </message>
     <message>
-        <source>Brings the selected knots to the displacement of the last one</source>
-        <translation>Bringt die gewählten Knoten auf den Weg des letzten</translation>
+        <source>Moves the selected points to the displacement of the last one</source>
+        <translation>Verschiebt die gewählten Punkte auf den Weg des letzten</translation>
     </message>
     <message>
         <source>Distribute over d&amp;isplacement</source>
         <translation>Über den W&amp;eg verteilen</translation>
     </message>
     <message>
-        <source>Puts the selected knots of a stroke at equal distances</source>
-        <translation>Setzt die gewählten Knoten einer Kurve in gleiche Abstände</translation>
+        <source>Spaces the selected points of a stroke evenly over the travel</source>
+        <translation>Verteilt die gewählten Punkte einer Kurve gleichmäßig über den Weg</translation>
     </message>
     <message>
         <source>Distribute over f&amp;orce</source>
         <translation>Über die K&amp;raft verteilen</translation>
     </message>
     <message>
-        <source>Puts the selected knots of a stroke at equal steps of force</source>
-        <translation>Setzt die gewählten Knoten einer Kurve in gleiche Kraftstufen</translation>
+        <source>Spaces the selected points of a stroke evenly over the force</source>
+        <translation>Verteilt die gewählten Punkte einer Kurve gleichmäßig über die Kraft</translation>
     </message>
     <message>
         <source>Copied the selected part of the curve</source>
@@ -5679,7 +5679,7 @@ Lizenz: %3</translation>
         <translation>Ver&amp;größern</translation>
     </message>
     <message>
-        <source>The wheel zooms at the pointer; with Alt displacement alone, with Ctrl force alone</source>
+        <source>The mouse wheel zooms at the pointer; with Alt only displacement, with Ctrl only force</source>
         <translation>Das Mausrad vergrößert am Zeiger; mit Alt nur den Weg, mit Strg nur die Kraft</translation>
     </message>
     <message>
@@ -5703,16 +5703,16 @@ Lizenz: %3</translation>
         <translation>&amp;Dämpfung</translation>
     </message>
     <message>
-        <source>Damping b(x) over displacement, if the button has damping</source>
-        <translation>Dämpfung b(x) über dem Weg, falls der Taster Dämpfung hat</translation>
+        <source>Damping over displacement, if the button has damping</source>
+        <translation>Dämpfung über dem Weg, falls der Taster Dämpfung hat</translation>
     </message>
     <message>
-        <source>&amp;Traced points and residuals</source>
+        <source>&amp;Traced points and deviations</source>
         <translation>Abgelesene &amp;Punkte und Abweichungen</translation>
     </message>
     <message>
-        <source>The traced points and the deviation of the curve from them, enlarged ten times</source>
-        <translation>Die abgelesenen Punkte und die Abweichung der Kurve von ihnen, zehnfach vergrößert</translation>
+        <source>The traced points and how far the curve deviates from them, enlarged ten times</source>
+        <translation>Die abgelesenen Punkte und wie weit die Kurve von ihnen abweicht, zehnfach vergrößert</translation>
     </message>
     <message>
         <source>&amp;Magnifier</source>
@@ -5723,12 +5723,12 @@ Lizenz: %3</translation>
         <translation>Vergrößert den Graphen fünffach, während Sie ziehen</translation>
     </message>
     <message>
-        <source>&amp;Knots</source>
-        <translation>K&amp;noten</translation>
+        <source>C&amp;urve points</source>
+        <translation>Kurvenpu&amp;nkte</translation>
     </message>
     <message>
-        <source>Show knots, valleys and peaks on the curves</source>
-        <translation>Knoten, Täler und Spitzen auf den Kurven zeigen</translation>
+        <source>Show curve points, valleys and peaks on the curves</source>
+        <translation>Kurvenpunkte, Täler und Spitzen auf den Kurven zeigen</translation>
     </message>
     <message>
         <source>Snap to &amp;grid</source>
@@ -5775,8 +5775,8 @@ Lizenz: %3</translation>
         <translation>G&amp;eschwindigkeit</translation>
     </message>
     <message>
-        <source>The speed whose graph is edited and used where no speed is known; graphs of other speeds are drawn thin.</source>
-        <translation>Die Geschwindigkeit, deren Graph bearbeitet wird und die gilt, wo keine bekannt ist; die anderen sind dünn gezeichnet.</translation>
+        <source>Speed whose graph you edit; it is also used where the speed is not known. Graphs of other speeds are drawn thin.</source>
+        <translation>Geschwindigkeit, deren Graphen Sie bearbeiten; er gilt auch, wo die Geschwindigkeit nicht bekannt ist. Graphen anderer Geschwindigkeiten sind dünn gezeichnet.</translation>
     </message>
     <message>
         <source>Speed of the graph</source>
@@ -5791,8 +5791,8 @@ Lizenz: %3</translation>
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>Drag from one place to another: travel, force and slope between them</source>
-        <translation>Von einer Stelle zur anderen ziehen: Weg, Kraft und Steigung dazwischen</translation>
+        <source>Drag from one place to another to measure travel, force and slope between them</source>
+        <translation>Von einer Stelle zur anderen ziehen, um Weg, Kraft und Steigung dazwischen zu messen</translation>
     </message>
 </context>
 <context>
@@ -5860,12 +5860,12 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::HistoryPanel</name>
     <message>
-        <source>Steps of this button</source>
-        <translation>Schritte dieses Tasters</translation>
+        <source>Editing steps of this button</source>
+        <translation>Bearbeitungsschritte dieses Tasters</translation>
     </message>
     <message>
-        <source>Every step since the button was opened; click one to go there.</source>
-        <translation>Jeder Schritt, seit der Taster geöffnet wurde; ein Klick führt dorthin.</translation>
+        <source>Every editing step since the button was opened. Click one to return to it.</source>
+        <translation>Jeder Bearbeitungsschritt, seit der Taster geöffnet wurde. Ein Klick führt dorthin zurück.</translation>
     </message>
     <message>
         <source>New</source>
@@ -6051,16 +6051,16 @@ Lizenz: %3</translation>
         <translation>Qualität des Imports</translation>
     </message>
     <message>
-        <source>How carefully the graph is read: computing time and typical deviation from the printed curve, as measured on drawn graphs (docs/measurements/trade.md). Your corrections are kept when you change the quality.</source>
-        <translation>Wie sorgfältig der Graph gelesen wird: Rechenzeit und übliche Abweichung von der gedruckten Kurve, gemessen an gezeichneten Graphen (docs/measurements/trade.md). Ihre Berichtigungen bleiben erhalten, wenn Sie die Qualität ändern.</translation>
+        <source>How carefully Detent reads the graph. Times and errors were measured on drawn graphs (docs/measurements/trade.md). Your corrections are kept when you change the quality.</source>
+        <translation>Wie sorgfältig Detent den Graphen liest. Zeiten und Fehler sind an gezeichneten Graphen gemessen (docs/measurements/trade.md). Ihre Berichtigungen bleiben erhalten, wenn Sie die Qualität ändern.</translation>
     </message>
     <message>
         <source>Graphs onl&amp;y</source>
         <translation>Nur &amp;Graphen</translation>
     </message>
     <message>
-        <source>List the graphs without the pages between them</source>
-        <translation>Die Graphen ohne die Seiten dazwischen aufführen</translation>
+        <source>List only the graphs, without the pages between them</source>
+        <translation>Nur die Graphen aufführen, ohne die Seiten dazwischen</translation>
     </message>
     <message>
         <source>Progress of the import</source>
@@ -6071,8 +6071,8 @@ Lizenz: %3</translation>
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>Stop reading; the last result stays</source>
-        <translation>Das Lesen anhalten; das letzte Ergebnis bleibt</translation>
+        <source>Stop reading and keep the last result</source>
+        <translation>Mit dem Lesen aufhören und das letzte Ergebnis behalten</translation>
     </message>
     <message>
         <source>&amp;Import</source>
@@ -6131,8 +6131,8 @@ Lizenz: %3</translation>
         <translation>Es wurde kein Kraftgraph gefunden.</translation>
     </message>
     <message>
-        <source>If there is one, draw its plot frame on the page or click a dashed rectangle.</source>
-        <translation>Wenn hier einer ist, zeichnen Sie seinen Rahmen auf die Seite oder klicken Sie auf ein gestricheltes Rechteck.</translation>
+        <source>If the page shows a graph, draw its plot frame or click a dashed rectangle.</source>
+        <translation>Wenn die Seite einen Graphen zeigt, zeichnen Sie seinen Rahmen oder klicken Sie auf ein gestricheltes Rechteck.</translation>
     </message>
     <message>
         <source>Import the ticked graphs, each as a button of its own</source>
@@ -6163,8 +6163,8 @@ Lizenz: %3</translation>
         <translation>Die Seite wird nach Graphen durchsucht …</translation>
     </message>
     <message>
-        <source>No button can be imported from that graph. If the page shows another one, draw its plot frame. If this one was misread, click its dashed rectangle.</source>
-        <translation>Aus diesem Graphen kann kein Taster importiert werden. Zeigt die Seite einen anderen, zeichnen Sie dessen Rahmen. Wurde dieser falsch gelesen, klicken Sie auf sein gestricheltes Rechteck.</translation>
+        <source>No button can be imported from this graph. If the page shows another graph, draw its plot frame. If this graph was misread, click its dashed rectangle.</source>
+        <translation>Aus diesem Graphen kann kein Taster importiert werden. Zeigt die Seite einen anderen Graphen, zeichnen Sie dessen Rahmen. Wurde dieser falsch gelesen, klicken Sie auf sein gestricheltes Rechteck.</translation>
     </message>
     <message>
         <source>The horizontal axis measures no displacement.</source>
@@ -6175,8 +6175,8 @@ Lizenz: %3</translation>
         <translation>Die senkrechte Achse misst keine Kraft.</translation>
     </message>
     <message>
-        <source>No button can be imported from this graph. Undo takes the answer back.</source>
-        <translation>Aus diesem Graphen kann kein Taster importiert werden. „Rückgängig“ nimmt die Antwort zurück.</translation>
+        <source>No button can be imported from this graph. Use Undo to take your answer back.</source>
+        <translation>Aus diesem Graphen kann kein Taster importiert werden. Mit „Rückgängig“ nehmen Sie Ihre Antwort zurück.</translation>
     </message>
     <message>
         <source>&amp;Import %1 buttons</source>
@@ -6205,8 +6205,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::KeyFiguresModel</name>
     <message>
-        <source>Force at the start of the press; with a preload, the preload.</source>
-        <translation>Kraft am Anfang des Hinwegs; mit Vorspannung die Vorspannkraft.</translation>
+        <source>Force at the start of the press; this is the preload, if there is one.</source>
+        <translation>Kraft am Anfang des Hinwegs; das ist die Vorspannkraft, falls es eine gibt.</translation>
     </message>
     <message>
         <source>Force of the press at the operating point; keyboards call it actuation force.</source>
@@ -6237,8 +6237,8 @@ Lizenz: %3</translation>
         <translation>Mittlere Steigung vom Anfang bis zur Spitze; ohne Spitze bis zum Anschlag.</translation>
     </message>
     <message>
-        <source>Mean slope from the peak to the valley; below 0.</source>
-        <translation>Mittlere Steigung von der Spitze bis zum Tal; unter 0.</translation>
+        <source>Mean slope from the peak to the valley (a negative value).</source>
+        <translation>Mittlere Steigung von der Spitze bis zum Tal (ein negativer Wert).</translation>
     </message>
     <message>
         <source>Mean slope from the valley to the bottom-out.</source>
@@ -6261,11 +6261,11 @@ Lizenz: %3</translation>
         <translation>Vom Schaltpunkt bis zum Ende des Hinwegs (OT).</translation>
     </message>
     <message>
-        <source>Force at the start of the bottom-out; without one, at the end of the travel.</source>
+        <source>Force where the bottom-out starts; without a bottom-out, at the end of the travel.</source>
         <translation>Kraft am Beginn des Anschlags; ohne Anschlag am Ende des Wegs.</translation>
     </message>
     <message>
-        <source>Displacement at the start of the bottom-out; without one, the end of the travel.</source>
+        <source>Displacement where the bottom-out starts; without a bottom-out, the end of the travel.</source>
         <translation>Weg am Beginn des Anschlags; ohne Anschlag das Ende des Wegs.</translation>
     </message>
     <message>
@@ -6289,8 +6289,8 @@ Lizenz: %3</translation>
         <translation>Setzen: %1</translation>
     </message>
     <message>
-        <source>The curve is too short there for a slope or ratio.</source>
-        <translation>Die Kurve ist dort zu kurz für eine Steigung oder ein Verhältnis.</translation>
+        <source>This part of the curve is too short for a slope or ratio.</source>
+        <translation>Dieser Teil der Kurve ist zu kurz für eine Steigung oder ein Verhältnis.</translation>
     </message>
     <message>
         <source>Displacement of the operating point (PT).</source>
@@ -6317,8 +6317,8 @@ Lizenz: %3</translation>
         <translation>Änderungen gelten sofort; gesperrte Kennzahlen bleiben.</translation>
     </message>
     <message>
-        <source>Targets are solved together; the dashed curve previews the result.</source>
-        <translation>Zielwerte werden gemeinsam gelöst; die gestrichelte Kurve zeigt das Ergebnis vorab.</translation>
+        <source>All targets are met together; the dashed curve previews the result.</source>
+        <translation>Alle Zielwerte werden gemeinsam erfüllt; die gestrichelte Kurve zeigt das Ergebnis vorab.</translation>
     </message>
     <message>
         <source>Locked figures stay as they are while others change.</source>
@@ -6368,7 +6368,7 @@ Lizenz: %3</translation>
         <translation>A&amp;lle Kennzahlen</translation>
     </message>
     <message>
-        <source>Show all key figures, not the most used alone</source>
+        <source>Show all key figures, not only the most used ones</source>
         <translation>Alle Kennzahlen zeigen, nicht nur die gebräuchlichsten</translation>
     </message>
     <message>
@@ -6432,24 +6432,24 @@ Lizenz: %3</translation>
         </translation>
     </message>
     <message>
-        <source>There is no knot at this valley or peak. Select a knot or a tactile point.</source>
-        <translation>An diesem Tal oder dieser Spitze ist kein Knoten. Wählen Sie einen Knoten oder einen Druckpunkt.</translation>
+        <source>There is no curve point at this valley or peak. Select a curve point or a tactile point.</source>
+        <translation>An diesem Tal oder dieser Spitze ist kein Kurvenpunkt. Wählen Sie einen Kurvenpunkt oder einen Druckpunkt.</translation>
     </message>
     <message>
-        <source>Select a knot to make it a corner or smooth.</source>
-        <translation>Wählen Sie einen Knoten, um ihn zur Ecke zu machen oder zu glätten.</translation>
+        <source>Select a curve point to make it a corner or smooth.</source>
+        <translation>Wählen Sie einen Kurvenpunkt, um ihn zur Ecke zu machen oder zu glätten.</translation>
     </message>
     <message>
         <source>Corner or smooth: %1</source>
         <translation>Ecke oder glatt: %1</translation>
     </message>
     <message>
-        <source>Add knot</source>
-        <translation>Knoten hinzufügen</translation>
+        <source>Add curve point</source>
+        <translation>Kurvenpunkt hinzufügen</translation>
     </message>
     <message>
-        <source>The point can be moved again.</source>
-        <translation>Der Punkt lässt sich wieder bewegen.</translation>
+        <source>Unlocked: the point can be moved again.</source>
+        <translation>Entsperrt: Der Punkt lässt sich wieder bewegen.</translation>
     </message>
     <message>
         <source>Locked: no edit moves this point until you press P on it again.</source>
@@ -6487,8 +6487,8 @@ Lizenz: %3</translation>
         <translation>%1 dB</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms; the line and the number are the highest peak (held for 1.5 s).&lt;/p&gt;&lt;p&gt;“limited” stands there while the limiter holds the level at its ceiling: lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms; die Linie und die Zahl sind die höchste Spitze (1,5 s gehalten).&lt;/p&gt;&lt;p&gt;„begrenzt“ steht da, solange der Begrenzer den Pegel an seiner Obergrenze hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Output level, in dB relative to full scale: the bar is the peak of the last 20 ms; the line and the number are the highest peak (held for 1.5 s).&lt;/p&gt;&lt;p&gt;“limited” appears while the limiter caps the level. Lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ausgangspegel in dB, bezogen auf Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms; die Linie und die Zahl sind die höchste Spitze (1,5 s gehalten).&lt;/p&gt;&lt;p&gt;„begrenzt“ erscheint, solange der Begrenzer den Pegel kappt. Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>limited</source>
@@ -6530,16 +6530,16 @@ Lizenz: %3</translation>
         <translation>Wählen Sie einen Ordner, um seine Taster aufzulisten.</translation>
     </message>
     <message>
-        <source>No button files (*.button.json) with this name here.</source>
-        <translation>Hier gibt es keine Tasterdateien (*.button.json) mit diesem Namen.</translation>
+        <source>This folder has no button file (*.button.json) with this name.</source>
+        <translation>Dieser Ordner hat keine Tasterdatei (*.button.json) mit diesem Namen.</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
+        <source>Show this button</source>
+        <translation>Diesen Taster zeigen</translation>
     </message>
     <message>
-        <source>Compare with the one shown</source>
-        <translation>Mit dem gezeigten vergleichen</translation>
+        <source>Compare with the button shown</source>
+        <translation>Mit dem gezeigten Taster vergleichen</translation>
     </message>
     <message numerus="yes">
         <source>Compare the %n selected</source>
@@ -6595,8 +6595,8 @@ Lizenz: %3</translation>
         <translation>&amp;Auslösepunkt:</translation>
     </message>
     <message>
-        <source>Displacement at which the key closes</source>
-        <translation>Weg, bei dem die Taste schließt</translation>
+        <source>Displacement at which the key closes (switches on)</source>
+        <translation>Weg, bei dem die Taste schließt (einschaltet)</translation>
     </message>
     <message>
         <source>&amp;Release point:</source>
@@ -6611,32 +6611,32 @@ Lizenz: %3</translation>
         <translation>Rapid &amp;Trigger</translation>
     </message>
     <message>
-        <source>The key opens and closes with the direction of the movement</source>
-        <translation>Die Taste öffnet und schließt mit der Richtung der Bewegung</translation>
+        <source>The key opens and closes as the movement changes direction</source>
+        <translation>Die Taste öffnet und schließt, wenn die Bewegung die Richtung wechselt</translation>
     </message>
     <message>
         <source>&amp;Press distance:</source>
         <translation>&amp;Druckstrecke:</translation>
     </message>
     <message>
-        <source>The key closes this far below the highest place</source>
-        <translation>So weit unter der höchsten Stelle schließt die Taste</translation>
+        <source>How far the key moves down from its highest position before it closes</source>
+        <translation>Wie weit sich die Taste von ihrer höchsten Stelle abwärts bewegt, bevor sie schließt</translation>
     </message>
     <message>
         <source>Release &amp;distance:</source>
         <translation>&amp;Loslassstrecke:</translation>
     </message>
     <message>
-        <source>The key opens this far above the deepest place</source>
-        <translation>So weit über der tiefsten Stelle öffnet die Taste</translation>
+        <source>How far the key moves up from its deepest position before it opens</source>
+        <translation>Wie weit sich die Taste von ihrer tiefsten Stelle aufwärts bewegt, bevor sie öffnet</translation>
     </message>
     <message>
         <source>&amp;Continuous</source>
         <translation>D&amp;urchgehend</translation>
     </message>
     <message>
-        <source>Rapid trigger lasts until the key is fully released, not only below the release point</source>
-        <translation>Rapid Trigger gilt, bis die Taste ganz losgelassen ist, nicht nur unter dem Rückstellpunkt</translation>
+        <source>Rapid trigger stays active until the key is fully released, even above the release point</source>
+        <translation>Rapid Trigger bleibt aktiv, bis die Taste ganz losgelassen ist, auch über dem Rückstellpunkt</translation>
     </message>
     <message>
         <source>T&amp;op dead zone:</source>
@@ -6659,28 +6659,28 @@ Lizenz: %3</translation>
         <translation>Drücken &amp;bis:</translation>
     </message>
     <message>
-        <source>End of both presses of the drawn movement</source>
-        <translation>Ende beider Drücke der gezeichneten Bewegung</translation>
+        <source>How deep both presses of the example movement go</source>
+        <translation>Wie tief beide Drücke der Beispielbewegung gehen</translation>
     </message>
     <message>
         <source>and &amp;up to:</source>
         <translation>und &amp;zurück bis:</translation>
     </message>
     <message>
-        <source>Displacement at which the second press of the drawn movement begins</source>
-        <translation>Weg, bei dem der zweite Druck der gezeichneten Bewegung beginnt</translation>
+        <source>Displacement at which the second press of the example movement begins</source>
+        <translation>Weg, bei dem der zweite Druck der Beispielbewegung beginnt</translation>
     </message>
     <message>
         <source>Readin&amp;gs…</source>
         <translation>&amp;Messwerte …</translation>
     </message>
     <message>
-        <source>Read what your sensor shows over the travel from a CSV file</source>
-        <translation>Aus einer CSV-Datei lesen, was Ihr Sensor über den Weg anzeigt</translation>
+        <source>Load the readings of your sensor over the travel from a CSV file</source>
+        <translation>Die Messwerte Ihres Sensors über den Weg aus einer CSV-Datei laden</translation>
     </message>
     <message>
-        <source>Readings are assumed: a magnet of the usual size.</source>
-        <translation>Messwerte sind angenommen: ein Magnet üblicher Größe.</translation>
+        <source>No readings loaded: a magnet of the usual size is assumed.</source>
+        <translation>Keine Messwerte geladen: Ein Magnet üblicher Größe wird angenommen.</translation>
     </message>
     <message>
         <source>Readings of the sensor</source>
@@ -6766,8 +6766,8 @@ Lizenz: %3</translation>
         <translation>Taster B zum Vergleichen</translation>
     </message>
     <message>
-        <source>The second button (B), pressed alternately with the one shown</source>
-        <translation>Der zweite Taster (B), im Wechsel mit dem gezeigten zu drücken</translation>
+        <source>Second button (B), to press in turn with the one shown</source>
+        <translation>Zweiter Taster (B), abwechselnd mit dem gezeigten zu drücken</translation>
     </message>
     <message>
         <source>Displacement and force under the mouse</source>
@@ -6814,8 +6814,8 @@ Lizenz: %3</translation>
         <translation>%1 gedruckt.</translation>
     </message>
     <message>
-        <source>The printer did not accept the print job. Choose another one, or print to a file.</source>
-        <translation>Der Drucker hat den Auftrag nicht angenommen. Wählen Sie einen anderen, oder drucken Sie in eine Datei.</translation>
+        <source>The printer did not accept the print job. Choose another printer, or print to a file.</source>
+        <translation>Der Drucker hat den Auftrag nicht angenommen. Wählen Sie einen anderen Drucker, oder drucken Sie in eine Datei.</translation>
     </message>
     <message>
         <source>Rename the button</source>
@@ -7130,8 +7130,8 @@ Lizenz: %3</translation>
         <translation>Seite in der Da&amp;tei behalten</translation>
     </message>
     <message>
-        <source>Save the part of the page around the graph with the button, for when the datasheet is not at hand</source>
-        <translation>Den Teil der Seite um den Graphen mit dem Taster speichern, falls das Datenblatt einmal nicht zur Hand ist</translation>
+        <source>Save the part of the page around the graph in the file of the button, so that you see it without the datasheet</source>
+        <translation>Den Teil der Seite um den Graphen in der Datei des Tasters speichern, damit Sie ihn ohne Datenblatt sehen</translation>
     </message>
     <message>
         <source>Export the vibration of a standard press (WAV, mono, 48 kHz)</source>
@@ -7150,8 +7150,8 @@ Lizenz: %3</translation>
         <translation>Als Webseite &amp;teilen …</translation>
     </message>
     <message>
-        <source>Write a web page that anyone can open and press, with nothing else installed</source>
-        <translation>Eine Webseite schreiben, die jeder öffnen und drücken kann, ohne etwas zu installieren</translation>
+        <source>Write a web page on which anyone can press the button, without installing anything</source>
+        <translation>Eine Webseite schreiben, auf der jeder den Taster drücken kann, ohne etwas zu installieren</translation>
     </message>
     <message>
         <source>&amp;Graph for datasheet, paper or slide…</source>
@@ -7162,8 +7162,8 @@ Lizenz: %3</translation>
         <translation>Den Graphen druckfertig schreiben: SVG, PDF oder PNG in jeder Größe, Sprache und Einheit</translation>
     </message>
     <message>
-        <source>Create a button between two open buttons</source>
-        <translation>Einen Taster zwischen zwei offenen Tastern erzeugen</translation>
+        <source>Create a button that lies between two open buttons</source>
+        <translation>Einen Taster erzeugen, der zwischen zwei offenen Tastern liegt</translation>
     </message>
     <message>
         <source>Create the mean of several units of one button, and show their spread</source>
@@ -7186,12 +7186,12 @@ Lizenz: %3</translation>
         <translation>P&amp;rojekt für WebPlotDigitizer …</translation>
     </message>
     <message>
-        <source>Write the state shown as a project that WebPlotDigitizer opens, axes in the units shown</source>
-        <translation>Den gezeigten Zustand als Projekt schreiben, das WebPlotDigitizer öffnet, mit den gezeigten Einheiten an den Achsen</translation>
+        <source>Write the state shown as a WebPlotDigitizer project, with axes in the units shown</source>
+        <translation>Den gezeigten Zustand als Projekt für WebPlotDigitizer schreiben, mit den gezeigten Einheiten an den Achsen</translation>
     </message>
     <message>
-        <source>Write the same samples with semicolons between the fields, as spreadsheets with decimal commas read them</source>
-        <translation>Dieselben Kurvenwerte mit Semikolons zwischen den Feldern schreiben, wie Tabellenprogramme mit Dezimalkomma sie lesen</translation>
+        <source>Write the samples with decimal commas and semicolons, as many spreadsheets expect them</source>
+        <translation>Die Kurvenwerte mit Dezimalkomma und Semikolons schreiben, wie viele Tabellenprogramme sie erwarten</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -7214,12 +7214,12 @@ Lizenz: %3</translation>
         <translation>Ordner mit Messungen hinzufügen</translation>
     </message>
     <message>
-        <source>Write a page</source>
-        <translation>Seite schreiben</translation>
+        <source>Write a web page</source>
+        <translation>Webseite schreiben</translation>
     </message>
     <message>
-        <source>Pages (*.html)</source>
-        <translation>Seiten (*.html)</translation>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
     </message>
     <message>
         <source>&amp;Measured switches…</source>
@@ -7401,8 +7401,8 @@ Lizenz: %3</translation>
 <context>
     <name>detent::editor::MarginOverlay</name>
     <message>
-        <source>Slopes that the force device can stably render</source>
-        <translation>Steigungen, die das Kraftgerät stabil darstellen kann</translation>
+        <source>Slopes that the force device can reproduce without vibrating</source>
+        <translation>Steigungen, die das Kraftgerät wiedergeben kann, ohne zu schwingen</translation>
     </message>
     <message>
         <source>%1, device limit %2</source>
@@ -7442,9 +7442,9 @@ Lizenz: %3</translation>
     <name>detent::editor::MeasuredTable</name>
     <message>
         <source>%1
-The value after ± is the standard error from the meter&apos;s noise and resolution, without its calibration</source>
+The value after ± is the standard error from the meter&apos;s noise and resolution; calibration errors are not included</source>
         <translation>%1
-Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messgeräts, ohne dessen Kalibrierung</translation>
+Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messgeräts; Kalibrierfehler sind nicht enthalten</translation>
     </message>
     <message>
         <source>By the tactile drop: linear below 5 gf, tactile above 8 gf, otherwise intermediate</source>
@@ -7455,16 +7455,16 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Art</translation>
     </message>
     <message>
-        <source>In multiples of the difference between two laboratories on the same switch; below 1, two records may be of the same switch</source>
-        <translation>In Vielfachen des Unterschieds zweier Labore bei demselben Schalter; unter 1 können zwei Messungen von demselben Schalter stammen</translation>
+        <source>Distance from the reference switch. 1 is the usual difference between two laboratories that measure the same switch; below 1, both may be the same switch</source>
+        <translation>Abstand zum Referenzschalter. 1 ist der übliche Unterschied zweier Labore, die denselben Schalter messen; unter 1 kann es derselbe Schalter sein</translation>
     </message>
     <message>
         <source>Distance</source>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Predicted difference from the reference switch, for the nearest only</source>
-        <translation>Vorhergesagter Unterschied zum Referenzschalter, nur für die nächsten</translation>
+        <source>Predicted difference in feel from the reference switch; only for the nearest switches</source>
+        <translation>Vorhergesagter fühlbarer Unterschied zum Referenzschalter; nur für die nächsten Schalter</translation>
     </message>
     <message>
         <source>Prediction</source>
@@ -7498,10 +7498,10 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
 <context>
     <name>detent::editor::MeasuredWindow</name>
     <message numerus="yes">
-        <source>Forces of %n of them may differ greatly from those of other laboratories.</source>
+        <source>Forces of %n of these switches may differ greatly from those of other laboratories.</source>
         <translation>
-            <numerusform>Die Kräfte von %n davon können stark von denen anderer Labore abweichen.</numerusform>
-            <numerusform>Die Kräfte von %n davon können stark von denen anderer Labore abweichen.</numerusform>
+            <numerusform>Die Kräfte von %n dieser Schalter können stark von denen anderer Labore abweichen.</numerusform>
+            <numerusform>Die Kräfte von %n dieser Schalter können stark von denen anderer Labore abweichen.</numerusform>
         </translation>
     </message>
     <message>
@@ -7509,16 +7509,16 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Gemessene Schalter</translation>
     </message>
     <message>
-        <source>How far the folders are read</source>
-        <translation>Wie weit die Ordner gelesen sind</translation>
+        <source>Progress of reading the folders</source>
+        <translation>Fortschritt beim Lesen der Ordner</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Stop reading; what was read is kept</source>
-        <translation>Mit dem Lesen aufhören; Gelesenes bleibt</translation>
+        <source>Stop reading and keep what was read</source>
+        <translation>Mit dem Lesen aufhören und Gelesenes behalten</translation>
     </message>
     <message>
         <source>Rejected files…</source>
@@ -7529,16 +7529,16 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Welche Dateien abgelehnt wurden, und warum</translation>
     </message>
     <message>
-        <source>More than 1,500 key switches have been measured in public. Clone one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files), and add their folder. Detent ships none; each shows its author and licence.</source>
-        <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Klonen Sie eine dieser Sammlungen (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) oder verwenden Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien), und fügen Sie deren Ordner hinzu. Detent bringt keine mit; zu jeder werden Urheber und Lizenz angezeigt.</translation>
+        <source>More than 1,500 key switches have been measured in public. Download one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files). Then add their folder. Detent contains no measurements; each one shows its author and licence.</source>
+        <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Laden Sie eine dieser Sammlungen herunter (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …), oder verwenden Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien). Fügen Sie dann deren Ordner hinzu. Detent enthält keine Messungen; zu jeder werden Urheber und Lizenz angezeigt.</translation>
     </message>
     <message>
         <source>&amp;Add a folder…</source>
         <translation>Ordner &amp;hinzufügen …</translation>
     </message>
     <message>
-        <source>Read the measurements of a folder and all below it</source>
-        <translation>Die Messungen eines Ordners und aller darunter lesen</translation>
+        <source>Read the measurements in a folder and its subfolders</source>
+        <translation>Die Messungen eines Ordners und seiner Unterordner lesen</translation>
     </message>
     <message>
         <source>&amp;Open a library…</source>
@@ -7565,8 +7565,8 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Ordner &amp;neu lesen</translation>
     </message>
     <message>
-        <source>Read only files that have changed</source>
-        <translation>Nur geänderte Dateien neu lesen</translation>
+        <source>Read the folders again, but only files that have changed</source>
+        <translation>Die Ordner neu lesen, aber nur geänderte Dateien</translation>
     </message>
     <message>
         <source>Include &amp;datasheets</source>
@@ -7601,8 +7601,8 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Karte der gezeigten Schalter</translation>
     </message>
     <message>
-        <source>Principal axis %1</source>
-        <translation>Hauptachse %1</translation>
+        <source>Main difference %1</source>
+        <translation>Hauptunterschied %1</translation>
     </message>
     <message>
         <source>Horizontal axis of the map</source>
@@ -7613,11 +7613,11 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Senkrechte Achse der Karte</translation>
     </message>
     <message>
-        <source>Map ho&amp;rizontally</source>
-        <translation>Karte waage&amp;recht</translation>
+        <source>Map: ho&amp;rizontal</source>
+        <translation>Karte: waage&amp;recht</translation>
     </message>
     <message>
-        <source>&amp;up</source>
+        <source>&amp;vertical</source>
         <translation>senkre&amp;cht</translation>
     </message>
     <message>
@@ -7649,8 +7649,8 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Se&amp;ite schreiben …</translation>
     </message>
     <message>
-        <source>Write the nearest as a page with plots that can be sent</source>
-        <translation>Die nächsten als Seite mit Diagrammen schreiben, die man verschicken kann</translation>
+        <source>Write the most similar switches as a web page with plots, to send to others</source>
+        <translation>Die ähnlichsten Schalter als Webseite mit Diagrammen schreiben, die man verschicken kann</translation>
     </message>
     <message>
         <source>Curves of the selected switches</source>
@@ -7724,16 +7724,16 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>&amp;Nach (B):</translation>
     </message>
     <message>
-        <source>&amp;Share:</source>
-        <translation>&amp;Anteil:</translation>
+        <source>&amp;Share of B:</source>
+        <translation>&amp;Anteil von B:</translation>
     </message>
     <message>
         <source>&amp;Create</source>
         <translation>&amp;Erstellen</translation>
     </message>
     <message>
-        <source>Opens the button in between in a new tab</source>
-        <translation>Öffnet den Taster dazwischen in einem neuen Reiter</translation>
+        <source>Opens the blended button in a new tab</source>
+        <translation>Öffnet den gemischten Taster in einem neuen Reiter</translation>
     </message>
     <message>
         <source>Compared with A: %1</source>
@@ -7794,112 +7794,112 @@ Gegenüber dem gezeigten Taster: %2</translation>
         <translation>Sprung &amp;entfernen …</translation>
     </message>
     <message>
-        <source>A straight line instead of tactile point and valley</source>
-        <translation>Eine Gerade statt Druckpunkt und Tal</translation>
+        <source>Replace a tactile point and its valley by a straight line</source>
+        <translation>Einen Druckpunkt und sein Tal durch eine Gerade ersetzen</translation>
     </message>
     <message>
         <source>Snap r&amp;atio…</source>
         <translation>Schn&amp;appverhältnis …</translation>
     </message>
     <message>
-        <source>How deep the valley lies below the tactile force</source>
-        <translation>Wie tief das Tal unter der Druckpunktkraft liegt</translation>
+        <source>Set how deep the valley lies below the tactile force</source>
+        <translation>Festlegen, wie tief das Tal unter der Druckpunktkraft liegt</translation>
     </message>
     <message>
         <source>Make &amp;linear…</source>
         <translation>&amp;Linear machen …</translation>
     </message>
     <message>
-        <source>A straight line up to the bottom-out</source>
-        <translation>Eine Gerade bis zum Anschlag</translation>
+        <source>Replace the curve by a straight line up to the bottom-out</source>
+        <translation>Die Kurve durch eine Gerade bis zum Anschlag ersetzen</translation>
     </message>
     <message>
         <source>&amp;Mirror press to release…</source>
         <translation>&amp;Hinweg zum Rückweg spiegeln …</translation>
     </message>
     <message>
-        <source>A release curve from the press, with hysteresis</source>
-        <translation>Eine Rückwegkurve aus dem Hinweg, mit Hysterese</translation>
+        <source>Create a release curve from the press, with hysteresis</source>
+        <translation>Eine Rückwegkurve aus dem Hinweg erzeugen, mit Hysterese</translation>
     </message>
     <message>
         <source>Remove release &amp;curve…</source>
         <translation>&amp;Rückweg entfernen …</translation>
     </message>
     <message>
-        <source>Release will follow the press curve</source>
-        <translation>Der Rückweg folgt dann der Hinwegkurve</translation>
+        <source>Remove the release curve; the release follows the press curve</source>
+        <translation>Die Rückwegkurve entfernen; der Rückweg folgt dann der Hinwegkurve</translation>
     </message>
     <message>
         <source>Scale &amp;force…</source>
         <translation>&amp;Kraft skalieren …</translation>
     </message>
     <message>
-        <source>All forces by one factor</source>
-        <translation>Alle Kräfte mit einem Faktor</translation>
+        <source>Multiply all forces by one factor</source>
+        <translation>Alle Kräfte mit einem Faktor multiplizieren</translation>
     </message>
     <message>
         <source>Scale &amp;travel…</source>
         <translation>&amp;Weg skalieren …</translation>
     </message>
     <message>
-        <source>All displacements by one factor</source>
-        <translation>Alle Wege mit einem Faktor</translation>
+        <source>Multiply all displacements by one factor</source>
+        <translation>Alle Wege mit einem Faktor multiplizieren</translation>
     </message>
     <message>
         <source>Ref&amp;it curve…</source>
         <translation>Kurve neu an&amp;passen …</translation>
     </message>
     <message>
-        <source>Number of pieces</source>
-        <translation>Anzahl der Stücke</translation>
+        <source>Fit the curves to the traced points again, with another number of pieces</source>
+        <translation>Die Kurven mit einer anderen Zahl von Stücken neu an die abgelesenen Punkte anpassen</translation>
     </message>
     <message>
         <source>&amp;Operating and reset point…</source>
         <translation>S&amp;chalt- und Rückschaltpunkt …</translation>
     </message>
     <message>
-        <source>Where the contact closes and opens</source>
-        <translation>Wo der Kontakt schließt und öffnet</translation>
+        <source>Set where the contact closes and opens</source>
+        <translation>Festlegen, wo der Kontakt schließt und öffnet</translation>
     </message>
     <message>
         <source>&amp;Damping…</source>
         <translation>&amp;Dämpfung …</translation>
     </message>
     <message>
-        <source>b(x) for force feedback, on or off</source>
-        <translation>b(x) für Kraftrückmeldung, ein oder aus</translation>
+        <source>Switch damping for force feedback on or off</source>
+        <translation>Dämpfung für Kraftrückmeldung ein- oder ausschalten</translation>
     </message>
     <message>
         <source>T&amp;wo-level button…</source>
         <translation>&amp;Zweistufiger Taster …</translation>
     </message>
     <message>
-        <source>Two tactile points, as on a camera&apos;s shutter button</source>
-        <translation>Zwei Druckpunkte, wie der Auslöser einer Kamera</translation>
+        <source>Replace the curves by ones with two tactile points, as on a camera&apos;s shutter button</source>
+        <translation>Die Kurven durch solche mit zwei Druckpunkten ersetzen, wie beim Auslöser einer Kamera</translation>
     </message>
     <message>
         <source>&amp;Self-locking button…</source>
         <translation>Ras&amp;tender Taster …</translation>
     </message>
     <message>
-        <source>Two states that alternate at each actuation</source>
-        <translation>Zwei Zustände, die bei jeder Betätigung wechseln</translation>
+        <source>Replace the button by one with two states that alternate at each actuation</source>
+        <translation>Den Taster durch einen mit zwei Zuständen ersetzen, die bei jeder Betätigung wechseln</translation>
     </message>
     <message>
         <source>Add stat&amp;e…</source>
         <translation>Z&amp;ustand hinzufügen …</translation>
     </message>
     <message>
-        <source>A second state, as a copy of this one</source>
-        <translation>Ein zweiter Zustand, als Kopie von diesem</translation>
+        <source>Add a second state, as a copy of this one</source>
+        <translation>Einen zweiten Zustand hinzufügen, als Kopie von diesem</translation>
     </message>
     <message>
         <source>Remo&amp;ve state…</source>
         <translation>Zustand ent&amp;fernen …</translation>
     </message>
     <message>
-        <source>Only the other state remains</source>
-        <translation>Nur der andere Zustand bleibt</translation>
+        <source>Remove this state; only the other state remains</source>
+        <translation>Diesen Zustand entfernen; nur der andere Zustand bleibt</translation>
     </message>
     <message>
         <source>Reading the traced points from the page…</source>
@@ -7913,12 +7913,12 @@ Gegenüber dem gezeigten Taster: %2</translation>
         <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Restore the found value</source>
-        <translation>Den gefundenen Wert wiederherstellen</translation>
+        <source>Restore the value that Detent found</source>
+        <translation>Den Wert wiederherstellen, den Detent gefunden hat</translation>
     </message>
     <message>
-        <source>given</source>
-        <translation>vorgegeben</translation>
+        <source>set by hand</source>
+        <translation>von Hand</translation>
     </message>
     <message>
         <source>found, %1 % sure</source>
@@ -7928,10 +7928,10 @@ Gegenüber dem gezeigten Taster: %2</translation>
 <context>
     <name>detent::editor::OverlayPlot</name>
     <message numerus="yes">
-        <source>press of %n, ± 1 standard deviation</source>
+        <source>press of %n switches, ± 1 standard deviation</source>
         <translation>
-            <numerusform>Hinweg von %n, ± 1 Standardabweichung</numerusform>
-            <numerusform>Hinweg von %n, ± 1 Standardabweichung</numerusform>
+            <numerusform>Hinweg von %n Schalter, ± 1 Standardabweichung</numerusform>
+            <numerusform>Hinweg von %n Schaltern, ± 1 Standardabweichung</numerusform>
         </translation>
     </message>
     <message>
@@ -7973,7 +7973,7 @@ Gegenüber dem gezeigten Taster: %2</translation>
         <translation>Seite %1 von %2</translation>
     </message>
     <message>
-        <source>Page %1 is still searched for graphs</source>
+        <source>Page %1 is still being searched for graphs</source>
         <translation>Seite %1 wird noch nach Graphen durchsucht</translation>
     </message>
     <message>
@@ -8255,8 +8255,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Letzte Betätigungen</translation>
     </message>
     <message>
-        <source>&lt;p&gt;The last 3 seconds: depth of the finger (down is deeper), and what was felt.&lt;/p&gt;&lt;p&gt;Short ticks: grains of the slopes. Bars: jumps of the press and release stroke, bottom-out. The line above stands for the closed contact.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Grains der Steigungen. Balken: Sprünge des Hinwegs und des Rückwegs, Anschlag. Die Linie darüber steht für den geschlossenen Kontakt.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;The last 3 seconds: depth of the finger (down is deeper), and what was felt.&lt;/p&gt;&lt;p&gt;Short ticks: vibration pulses of the slopes. Bars: jumps of the press and release stroke, bottom-out. The line above shows when the contact is closed.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Vibrationsimpulse der Steigungen. Balken: Sprünge des Hinwegs und des Rückwegs, Anschlag. Die Linie darüber zeigt, wann der Kontakt geschlossen ist.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Live trace</source>
@@ -8379,8 +8379,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ein Punkt, den Sie gesetzt haben, ist weggelassen: %1</translation>
     </message>
     <message>
-        <source>On the page these points can be dragged, deleted, and added by a right click on the curve.</source>
-        <translation>Auf der Seite lassen sich diese Punkte ziehen, löschen und per Rechtsklick auf die Kurve hinzufügen.</translation>
+        <source>On the page you can drag or delete these points. Right-click the curve to add one.</source>
+        <translation>Auf der Seite können Sie diese Punkte ziehen oder löschen. Ein Rechtsklick auf die Kurve fügt einen hinzu.</translation>
     </message>
     <message>
         <source>Total travel %1</source>
@@ -8390,15 +8390,15 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::ScaleTool</name>
     <message>
-        <source>Click a tick of an axis and type the value printed there; two per axis define it. The corner where the axes meet sets both at once.</source>
-        <translation>Klicken Sie einen Teilstrich einer Achse an und geben Sie den Wert ein, der dort steht; zwei je Achse legen sie fest. Die Ecke, in der die Achsen sich treffen, setzt beide zugleich.</translation>
+        <source>Click a tick of an axis and type the value printed there. Two ticks define an axis. The corner where the axes meet sets both at once.</source>
+        <translation>Klicken Sie einen Teilstrich einer Achse an, und geben Sie den Wert ein, der dort steht. Zwei Teilstriche legen eine Achse fest. Die Ecke, in der die Achsen sich treffen, setzt beide zugleich.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::SelectTool</name>
     <message>
-        <source>There is no knot here. Add one (K) to select it with others.</source>
-        <translation>Hier ist kein Knoten. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
+        <source>There is no curve point here. Add one (K) to select it with others.</source>
+        <translation>Hier ist kein Kurvenpunkt. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
     </message>
     <message numerus="yes">
         <source>%n points selected</source>
@@ -8419,19 +8419,19 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ecke oder glatt: %1</translation>
     </message>
     <message>
-        <source>Add knot</source>
-        <translation>Knoten hinzufügen</translation>
+        <source>Add curve point</source>
+        <translation>Kurvenpunkt hinzufügen</translation>
     </message>
     <message>
-        <source>Drag points and slope handles; drag the line to bend it between two points; drag on empty space to select several. Shift: one axis, Ctrl: no snapping, Escape: cancel.</source>
-        <translation>Punkte und Steigungsgriffe ziehen; an der Linie ziehen biegt sie zwischen zwei Punkten; auf freier Fläche ziehen wählt mehrere. Umschalt: eine Achse, Strg: kein Einrasten, Esc: abbrechen.</translation>
+        <source>Drag points and slope handles. Drag the line to bend it between two points. Drag on empty space to select several. Shift: one axis, Ctrl: no snapping, Escape: cancel.</source>
+        <translation>Punkte und Steigungsgriffe ziehen. An der Linie ziehen biegt sie zwischen zwei Punkten. Auf freier Fläche ziehen wählt mehrere. Umschalt: eine Achse, Strg: kein Einrasten, Esc: abbrechen.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::SelectionPanel</name>
     <message>
-        <source>Numbers of the selected point</source>
-        <translation>Zahlen des gewählten Punkts</translation>
+        <source>Values of the selected point</source>
+        <translation>Werte des gewählten Punkts</translation>
     </message>
     <message>
         <source>release</source>
@@ -8485,16 +8485,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Datenblattseite von %1 wiederhergestellt.</translation>
     </message>
     <message>
-        <source>The datasheet that this button was read from, %1, is neither next to its file nor at its last location.</source>
-        <translation>Das Datenblatt, aus dem dieser Taster gelesen wurde, %1, liegt weder neben seiner Datei noch an seinem letzten Ort.</translation>
+        <source>The datasheet %1, from which this button was read, is neither next to the file of the button nor at its last location.</source>
+        <translation>Das Datenblatt %1, aus dem dieser Taster gelesen wurde, liegt weder neben der Datei des Tasters noch am letzten Ort.</translation>
     </message>
     <message>
         <source>This page is too large to be kept in a button&apos;s file.</source>
         <translation>Diese Seite ist zu groß, um in der Datei eines Tasters behalten zu werden.</translation>
     </message>
     <message>
-        <source>The page will be saved with the button: %1 more.</source>
-        <translation>Die Seite wird mit dem Taster gespeichert: %1 mehr.</translation>
+        <source>The page will be saved with the button; the file grows by %1.</source>
+        <translation>Die Seite wird mit dem Taster gespeichert; die Datei wächst um %1.</translation>
     </message>
     <message>
         <source>The page shown is the one kept in the button&apos;s file.</source>
@@ -8535,8 +8535,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::SignalView</name>
     <message>
-        <source>grain</source>
-        <translation>Grain</translation>
+        <source>pulse</source>
+        <translation>Impuls</translation>
     </message>
     <message>
         <source>press jump</source>
@@ -8559,16 +8559,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Kontakt öffnet</translation>
     </message>
     <message>
-        <source>signal message</source>
-        <translation>Signalmeldung</translation>
+        <source>triggered from outside</source>
+        <translation>von außen ausgelöst</translation>
     </message>
     <message>
         <source>Vibration of a press</source>
         <translation>Vibration einer Betätigung</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Above: the vibration of a press, as a share of full scale. The grey line is the force (or depth) it was pressed with: a standard press (rise 120 ms, hold 80 ms, fall 100 ms; a quarter more force than the bottom-out needs) or your own last one.&lt;/p&gt;&lt;p&gt;Below: its spectrogram up to 1000 Hz; Hann window of 32 ms, levels from −60 to 0 dB of a full-scale sine.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Oben: die Vibration einer Betätigung, als Anteil der Vollaussteuerung. Die graue Linie ist die Kraft (oder Tiefe), mit der gedrückt wurde: eine Standardbetätigung (Anstieg 120 ms, Halten 80 ms, Abfall 100 ms; ein Viertel mehr Kraft, als der Anschlag braucht) oder Ihre eigene letzte.&lt;/p&gt;&lt;p&gt;Unten: ihr Spektrogramm bis 1000 Hz; Hann-Fenster von 32 ms, Pegel von −60 bis 0 dB eines voll ausgesteuerten Sinus.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;Above: the vibration of a press, as a share of full scale. The grey line is the force (or depth) it was pressed with: a standard press (120 ms down, 80 ms held, 100 ms up; a quarter more force than the bottom-out needs) or your own last one.&lt;/p&gt;&lt;p&gt;Below: its frequencies over time up to 1000 Hz (spectrogram; Hann window of 32 ms), from −60 to 0 dB of a full-scale sine.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Oben: die Vibration einer Betätigung, als Anteil der Vollaussteuerung. Die graue Linie ist die Kraft (oder Tiefe), mit der gedrückt wurde: eine Standardbetätigung (120 ms hinunter, 80 ms gehalten, 100 ms hinauf; ein Viertel mehr Kraft, als der Anschlag braucht) oder Ihre eigene letzte.&lt;/p&gt;&lt;p&gt;Unten: ihre Frequenzen über der Zeit bis 1000 Hz (Spektrogramm; Hann-Fenster von 32 ms), von −60 bis 0 dB eines voll ausgesteuerten Sinus.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Peak %1 percent of full scale, %2 milliseconds. %3</source>
@@ -8635,8 +8635,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Vergleich: %1</translation>
     </message>
     <message>
-        <source>&lt;p&gt;A signal of another program, to compare with: above as a share of full scale, below its spectrogram. Level and, unless one is four times longer, time are drawn to the scale of the press.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Das Signal eines anderen Programms zum Vergleich: oben als Anteil der Vollaussteuerung, unten sein Spektrogramm. Der Pegel und, wenn keines viermal länger ist, die Zeit haben den Maßstab der Betätigung.&lt;/p&gt;</translation>
+        <source>&lt;p&gt;A signal of another program, for comparison: above as a share of full scale, below as a spectrogram. The level has the same scale as that of the press. So has the time, unless one signal is four times longer than the other.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Das Signal eines anderen Programms zum Vergleich: oben als Anteil der Vollaussteuerung, unten als Spektrogramm. Der Pegel hat denselben Maßstab wie der der Betätigung. Ebenso die Zeit, außer wenn ein Signal viermal so lang ist wie das andere.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -8650,8 +8650,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird bei der ersten Betätigung geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
     </message>
     <message>
-        <source>The strongest 10 ms of the last 1.5 s, in dB above the threshold of a fingertip, by the device profile. ≈ means that its level was not measured (sweep) and is assumed.</source>
-        <translation>Die stärksten 10 ms der letzten 1,5 s, in dB über der Fühlschwelle einer Fingerkuppe, nach dem Geräteprofil. ≈ heißt, dass sein Pegel nicht gemessen (sweep), sondern angenommen ist.</translation>
+        <source>How strong the strongest 10 ms of the last 1.5 s felt, in dB above what a fingertip can just feel. The device profile states how strong the device is; ≈ means that this was not measured (sweep) but assumed.</source>
+        <translation>Wie stark sich die stärksten 10 ms der letzten 1,5 s anfühlten, in dB über dem, was eine Fingerkuppe gerade fühlt. Wie stark das Gerät ist, steht im Geräteprofil; ≈ heißt, dass das nicht gemessen (sweep), sondern angenommen ist.</translation>
     </message>
     <message>
         <source>felt %1 dB</source>
@@ -8662,8 +8662,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Verstärkung</translation>
     </message>
     <message>
-        <source>Gain before the limiter, −40 to +20 dB; 0 dB: as the button and the device profile require</source>
-        <translation>Verstärkung vor dem Begrenzer, −40 bis +20 dB; 0 dB: wie Taster und Geräteprofil es verlangen</translation>
+        <source>Gain before the limiter, −40 to +20 dB. 0 dB is the strength that button and device profile require</source>
+        <translation>Verstärkung vor dem Begrenzer, −40 bis +20 dB. 0 dB ist die Stärke, die Taster und Geräteprofil verlangen</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -8714,8 +8714,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation> · Aussetzer: %1</translation>
     </message>
     <message>
-        <source> · losses: %1</source>
-        <translation> · Verluste: %1</translation>
+        <source> · lost: %1</source>
+        <translation> · verloren: %1</translation>
     </message>
     <message>
         <source>No audio output. Presses are tracked without sound. %1</source>
@@ -8725,8 +8725,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::StudyMaker</name>
     <message>
-        <source>Every pair is presented with each of these, in random order and without names</source>
-        <translation>Jedes Paar wird mit jeder davon dargeboten, in zufälliger Reihenfolge und ohne Namen</translation>
+        <source>Kind of feedback. Every pair is presented with each kind that is ticked, in random order and without names</source>
+        <translation>Art der Rückmeldung. Jedes Paar wird mit jeder angekreuzten Art dargeboten, in zufälliger Reihenfolge und ohne Namen</translation>
     </message>
     <message>
         <source>New study</source>
@@ -8825,16 +8825,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Fragen an jede Versuchsperson: %1, etwa %2 Minuten.</translation>
     </message>
     <message>
-        <source>Which of two has more? A threshold</source>
-        <translation>Welcher von zweien hat mehr? Eine Schwelle</translation>
+        <source>Which of two has more? (threshold)</source>
+        <translation>Welcher von zweien hat mehr? (Schwelle)</translation>
     </message>
     <message>
-        <source>How is it? A rating</source>
-        <translation>Wie ist er? Eine Bewertung</translation>
+        <source>How is it? (rating)</source>
+        <translation>Wie ist er? (Bewertung)</translation>
     </message>
     <message>
-        <source>The quantity that is increased; the amount follows from the answers</source>
-        <translation>Die Größe, die erhöht wird; um wie viel, ergibt sich aus den Antworten</translation>
+        <source>Quantity that is increased. The study adapts the amount to the answers</source>
+        <translation>Größe, die erhöht wird. Die Studie passt den Betrag den Antworten an</translation>
     </message>
     <message>
         <source>force</source>
@@ -8853,28 +8853,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Schnappen</translation>
     </message>
     <message>
-        <source>roughness on the way</source>
-        <translation>Rauheit unterwegs</translation>
+        <source>roughness along the travel</source>
+        <translation>Rauheit auf dem Weg</translation>
     </message>
     <message>
-        <source>How it is rated</source>
-        <translation>Wie bewertet wird</translation>
+        <source>How buttons are rated</source>
+        <translation>Wie Taster bewertet werden</translation>
     </message>
     <message>
-        <source>how much one likes it, 1 to 7</source>
+        <source>how much people like it, 1 to 7</source>
         <translation>wie sehr er gefällt, 1 bis 7</translation>
     </message>
     <message>
-        <source>how strong it is, any number</source>
-        <translation>wie stark er ist, jede Zahl</translation>
+        <source>how strong it is, rated with any number</source>
+        <translation>wie stark er ist, mit einer beliebigen Zahl</translation>
     </message>
     <message>
         <source>which of two is better</source>
         <translation>welcher von zweien besser ist</translation>
     </message>
     <message>
-        <source>Questions for each pair or button, and kind of feedback</source>
-        <translation>Fragen je Paar oder Taster und Art der Rückmeldung</translation>
+        <source>Number of questions for each pair or button and each kind of feedback</source>
+        <translation>Zahl der Fragen je Paar oder Taster und je Art der Rückmeldung</translation>
     </message>
     <message>
         <source>Mo&amp;re of:</source>
@@ -8913,8 +8913,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Texte (*.txt)</translation>
     </message>
     <message>
-        <source>When is it pressed? Timing</source>
-        <translation>Wann wird gedrückt? Zeit</translation>
+        <source>When is it pressed? (timing)</source>
+        <translation>Wann wird gedrückt? (Timing)</translation>
     </message>
     <message>
         <source>Press:</source>
@@ -8933,8 +8933,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sek&amp;unden je Lauf:</translation>
     </message>
     <message>
-        <source>What it is pressed with, or how fast</source>
-        <translation>Womit gedrückt wird, oder wie schnell</translation>
+        <source>When or how fast participants press the button</source>
+        <translation>Wann oder wie schnell die Versuchspersonen den Taster drücken</translation>
     </message>
     <message>
         <source>with the last of four beats</source>
@@ -8949,16 +8949,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>so schnell es durchzuhalten ist</translation>
     </message>
     <message>
-        <source>Between beats, or from the ball&apos;s start to its window; separate several with semicolons, %1 to %2 s</source>
-        <translation>Zwischen den Schlägen, oder vom Start des Balls bis zu seinem Fenster; mehrere durch Semikolon getrennt, %1 bis %2 s</translation>
+        <source>Time between beats, or from the ball&apos;s start to its window, %1 to %2 s. Separate several with semicolons</source>
+        <translation>Zeit zwischen den Schlägen oder vom Start des Balls bis zu seinem Fenster, %1 bis %2 s. Mehrere durch Semikolon trennen</translation>
     </message>
     <message>
-        <source>How long the window is open; separate several with semicolons, %1 to %2 s</source>
-        <translation>Wie lange das Fenster offen ist; mehrere durch Semikolon getrennt, %1 bis %2 s</translation>
+        <source>How long the window is open, %1 to %2 s. Separate several with semicolons</source>
+        <translation>Wie lange das Fenster offen ist, %1 bis %2 s. Mehrere durch Semikolon trennen</translation>
     </message>
     <message>
-        <source>From the first press on, %1 to %2</source>
-        <translation>Ab dem ersten Tastendruck, %1 bis %2</translation>
+        <source>Seconds from the first press, %1 to %2</source>
+        <translation>Sekunden ab dem ersten Tastendruck, %1 bis %2</translation>
     </message>
     <message>
         <source>Are the two the same?</source>
@@ -9108,8 +9108,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ihre Antwort ist noch nicht gespeichert. %1 Dann antworten Sie noch einmal.</translation>
     </message>
     <message>
-        <source>%1 (not to the end yet)</source>
-        <translation>%1 (noch nicht bis zum Ende)</translation>
+        <source>%1 (not pressed to the end yet)</source>
+        <translation>%1 (noch nicht bis zum Ende gedrückt)</translation>
     </message>
     <message>
         <source>First press to the end and let go: %1.</source>
@@ -9184,8 +9184,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 schnappt mehr</translation>
     </message>
     <message>
-        <source>%1 feels rougher on the way</source>
-        <translation>%1 fühlt sich unterwegs rauer an</translation>
+        <source>%1 feels rougher while it moves</source>
+        <translation>%1 fühlt sich beim Bewegen rauer an</translation>
     </message>
     <message>
         <source>Feel it</source>
@@ -9204,8 +9204,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rücktaste</translation>
     </message>
     <message>
-        <source>Take back</source>
-        <translation>Zurücknehmen</translation>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>This is my number</source>
@@ -9228,20 +9228,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Fühlen Sie beide, dann sagen Sie, welcher besser ist. Es gibt kein Richtig oder Falsch.</translation>
     </message>
     <message>
-        <source>Feel it, then say how much you like it. There is no right or wrong.</source>
-        <translation>Fühlen Sie ihn, dann sagen Sie, wie sehr er Ihnen gefällt. Es gibt kein Richtig oder Falsch.</translation>
+        <source>Feel the button, then say how much you like it. There is no right or wrong.</source>
+        <translation>Fühlen Sie den Taster und sagen Sie dann, wie sehr er Ihnen gefällt. Es gibt kein Richtig oder Falsch.</translation>
     </message>
     <message>
-        <source>Feel it, then give a number for how strong it feels: what feels twice as strong gets twice the number. Any number above 0 will do.</source>
-        <translation>Fühlen Sie ihn, dann nennen Sie eine Zahl dafür, wie stark er sich anfühlt: Was sich doppelt so stark anfühlt, bekommt die doppelte Zahl. Jede Zahl über 0 ist recht.</translation>
+        <source>Feel the button, then give a number for how strong it feels: what feels twice as strong gets twice the number. Any number above 0 will do.</source>
+        <translation>Fühlen Sie den Taster und geben Sie dann eine Zahl dafür an, wie stark er sich anfühlt: Was sich doppelt so stark anfühlt, bekommt die doppelte Zahl. Jede Zahl über 0 ist möglich.</translation>
     </message>
     <message>
-        <source>Press its key or click it to feel it under your finger.</source>
-        <translation>Drücken Sie seine Taste oder klicken Sie ihn an, um ihn unter dem Finger zu fühlen.</translation>
+        <source>To feel a button under your finger, press its key or click it.</source>
+        <translation>Um einen Taster unter dem Finger zu fühlen, drücken Sie seine Taste oder klicken Sie ihn an.</translation>
     </message>
     <message>
-        <source>First press it to the end and let go.</source>
-        <translation>Erst bis zum Ende drücken und loslassen.</translation>
+        <source>First press the button to the end and let go.</source>
+        <translation>Drücken Sie den Taster zuerst bis zum Ende und lassen Sie los.</translation>
     </message>
     <message>
         <source>Thank you for coming. Nothing about you was saved.</source>
@@ -9312,32 +9312,32 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ein Ball läuft nach rechts. Drücken Sie, während seine Mitte zwischen den beiden Strichen ist.</translation>
     </message>
     <message>
-        <source>Press again and again, as fast as you can keep up, until it says stop: %1 seconds from your first press.</source>
-        <translation>Drücken Sie immer wieder, so schnell Sie es durchhalten, bis „Halt“ erscheint: %1 Sekunden ab Ihrem ersten Tastendruck.</translation>
+        <source>Press again and again, as fast as you can, until you are told to stop: %1 seconds from your first press.</source>
+        <translation>Drücken Sie immer wieder, so schnell Sie können, bis „Halt“ erscheint: %1 Sekunden ab Ihrem ersten Tastendruck.</translation>
     </message>
     <message>
         <source>Press the button under your finger.</source>
         <translation>Drücken Sie den Taster unter Ihrem Finger.</translation>
     </message>
     <message>
-        <source>The space bar presses, or the large field on the screen.</source>
-        <translation>Die Leertaste drückt, oder das große Feld auf dem Bildschirm.</translation>
+        <source>Press the space bar, or the large field on the screen.</source>
+        <translation>Drücken Sie die Leertaste oder das große Feld auf dem Bildschirm.</translation>
     </message>
     <message>
         <source>Choose one, then press the button under your finger.</source>
         <translation>Wählen Sie einen, dann drücken Sie den Taster unter Ihrem Finger.</translation>
     </message>
     <message>
-        <source>Escape takes the force away at once.</source>
-        <translation>Escape nimmt die Kraft sofort weg.</translation>
+        <source>Press Escape to switch the force off at once.</source>
+        <translation>Drücken Sie Escape, um die Kraft sofort abzuschalten.</translation>
     </message>
     <message>
         <source>The force device was disconnected. Please call the experimenter.</source>
         <translation>Das Kraftgerät ist getrennt. Bitte rufen Sie die Versuchsleitung.</translation>
     </message>
     <message>
-        <source>There is no force. Please call the experimenter: F9 brings it back.</source>
-        <translation>Es ist keine Kraft da. Bitte rufen Sie die Versuchsleitung: F9 bringt sie zurück.</translation>
+        <source>The force is off. Please call the experimenter, who can switch it on with F9.</source>
+        <translation>Die Kraft ist aus. Bitte rufen Sie die Versuchsleitung, die sie mit F9 einschalten kann.</translation>
     </message>
     <message>
         <source>They are the same</source>
@@ -9355,8 +9355,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::editor::SwitchMap</name>
     <message>
-        <source>Principal axis %1</source>
-        <translation>Hauptachse %1</translation>
+        <source>Main difference %1</source>
+        <translation>Hauptunterschied %1</translation>
     </message>
     <message>
         <source>%1: %2 %</source>
@@ -9386,8 +9386,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Taster in diesem Diagramm</translation>
     </message>
     <message>
-        <source>Choose the one to read. Ticked ones are imported together, each as a button of its own.</source>
-        <translation>Wählen Sie den, der gelesen werden soll. Angekreuzte werden zusammen importiert, jeder als eigener Taster.</translation>
+        <source>Choose the switch to read. Ticked switches are imported together, each as a button of its own.</source>
+        <translation>Wählen Sie den Schalter, der gelesen werden soll. Angekreuzte Schalter werden zusammen importiert, jeder als eigener Taster.</translation>
     </message>
     <message>
         <source>Choose switch</source>
@@ -9453,8 +9453,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Druckpunkt %1</translation>
     </message>
     <message>
-        <source>Knot %1</source>
-        <translation>Knoten %1</translation>
+        <source>Curve point %1</source>
+        <translation>Kurvenpunkt %1</translation>
     </message>
     <message>
         <source>slope</source>
@@ -9477,12 +9477,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rückweg: Druckpunkte</translation>
     </message>
     <message>
-        <source>Press: knots</source>
-        <translation>Hinweg: Knoten</translation>
+        <source>Press: curve points</source>
+        <translation>Hinweg: Kurvenpunkte</translation>
     </message>
     <message>
-        <source>Release: knots</source>
-        <translation>Rückweg: Knoten</translation>
+        <source>Release: curve points</source>
+        <translation>Rückweg: Kurvenpunkte</translation>
     </message>
     <message>
         <source>Contact</source>
@@ -9493,8 +9493,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Slope on the knot&apos;s left side</source>
-        <translation>Steigung auf der linken Seite des Knotens</translation>
+        <source>Slope left of the curve point</source>
+        <translation>Steigung links vom Kurvenpunkt</translation>
     </message>
     <message>
         <source>Set: %1</source>
@@ -9529,8 +9529,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rückweg: Abschnitte (Endpunkt)</translation>
     </message>
     <message>
-        <source>Slope on the knot&apos;s right side; of a section, from end to end</source>
-        <translation>Steigung rechts des Knotens; bei einem Abschnitt von Ende zu Ende</translation>
+        <source>Slope right of the curve point; of a section, from end to end</source>
+        <translation>Steigung rechts vom Kurvenpunkt; bei einem Abschnitt von Ende zu Ende</translation>
     </message>
     <message>
         <source>Item</source>
@@ -9585,8 +9585,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Achse %1</translation>
     </message>
     <message>
-        <source>%1 corners make no plot frame</source>
-        <translation>%1 Ecken ergeben keinen Rahmen</translation>
+        <source>a plot frame needs 2 or 4 corners, not %1</source>
+        <translation>ein Rahmen braucht 2 oder 4 Ecken, nicht %1</translation>
     </message>
     <message>
         <source>corner (%1, %2) is outside the page</source>
@@ -9601,23 +9601,23 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Seite %1, Graph %2</translation>
     </message>
     <message>
-        <source>plot frame given by hand</source>
-        <translation>Rahmen von Hand vorgegeben</translation>
+        <source>plot frame entered by hand</source>
+        <translation>Rahmen von Hand eingegeben</translation>
     </message>
     <message>
-        <source>%1 of 4 edges drawn, %2 vertical and %3 horizontal lines or ticks</source>
-        <translation>%1 von 4 Kanten gezeichnet, %2 senkrechte und %3 waagerechte Linien oder Teilstriche</translation>
+        <source>%1 of 4 edges are drawn, with %2 vertical and %3 horizontal lines or ticks</source>
+        <translation>%1 von 4 Kanten sind gezeichnet, mit %2 senkrechten und %3 waagerechten Linien oder Teilstrichen</translation>
     </message>
     <message>
-        <source>%1 labels below and %2 beside a rectangle of lines</source>
+        <source>%1 tick labels below and %2 beside a rectangle of lines</source>
         <translation>%1 Beschriftungen unter und %2 neben einem Rechteck aus Linien</translation>
     </message>
     <message>
-        <source>%1: given</source>
-        <translation>%1: vorgegeben</translation>
+        <source>%1: entered by hand</source>
+        <translation>%1: von Hand eingegeben</translation>
     </message>
     <message>
-        <source>drawn as one loop and told apart by its course</source>
+        <source>drawn as one loop; the course of the loop tells press from release</source>
         <translation>als eine Schleife gezeichnet; Hinweg und Rückweg aus ihrem Verlauf bestimmt</translation>
     </message>
     <message>
@@ -9625,47 +9625,47 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>von der Legende benannt</translation>
     </message>
     <message>
-        <source>press lies above release on %1 of where they differ</source>
-        <translation>der Hinweg liegt auf %1 der Strecke, wo beide sich unterscheiden, über dem Rückweg</translation>
+        <source>press lies above release along %1 of the travel where they differ</source>
+        <translation>der Hinweg liegt auf %1 des Wegs, auf dem beide sich unterscheiden, über dem Rückweg</translation>
     </message>
     <message>
-        <source>one reaches a higher force</source>
-        <translation>eine erreicht eine höhere Kraft</translation>
+        <source>one of the curves reaches a higher force</source>
+        <translation>eine der Kurven erreicht eine höhere Kraft</translation>
     </message>
     <message>
-        <source>the two end apart, as the curves of two samples do</source>
-        <translation>beide enden getrennt, wie die Kurven zweier Muster</translation>
+        <source>the two curves end at different points, like curves of two switches</source>
+        <translation>beide Kurven enden an verschiedenen Punkten, wie Kurven zweier Schalter</translation>
     </message>
     <message>
         <source>one curve: press only</source>
         <translation>eine Kurve: nur der Hinweg</translation>
     </message>
     <message>
-        <source>one curve, taken as press although the legend calls it release</source>
-        <translation>eine Kurve, als Hinweg genommen, obwohl die Legende sie Rückweg nennt</translation>
+        <source>one curve: taken as the press, although the legend calls it release</source>
+        <translation>eine Kurve: als Hinweg genommen, obwohl die Legende sie Rückweg nennt</translation>
     </message>
     <message>
-        <source>one curve: press only, although the legend names a release too (&quot;%1&quot;)</source>
-        <translation>eine Kurve: nur der Hinweg, obwohl die Legende auch einen Rückweg nennt („%1“)</translation>
+        <source>one curve: taken as the press, although the legend also names a release (&quot;%1&quot;)</source>
+        <translation>eine Kurve: als Hinweg genommen, obwohl die Legende auch einen Rückweg nennt („%1“)</translation>
     </message>
     <message>
-        <source>exchanged by hand</source>
-        <translation>von Hand vertauscht</translation>
+        <source>press and release swapped by hand</source>
+        <translation>Hinweg und Rückweg von Hand vertauscht</translation>
     </message>
     <message>
-        <source>%1 numbers in a row and %2 in a column, without a rectangle of lines</source>
-        <translation>%1 Zahlen in einer Zeile und %2 in einer Spalte, ohne ein Rechteck aus Linien</translation>
+        <source>%1 numbers in a row and %2 in a column, but no rectangle of lines</source>
+        <translation>%1 Zahlen in einer Zeile und %2 in einer Spalte, aber kein Rechteck aus Linien</translation>
     </message>
     <message>
-        <source>widened to where its numbers end</source>
-        <translation>erweitert bis dorthin, wo seine Zahlen enden</translation>
+        <source>widened to the ends of its tick labels</source>
+        <translation>erweitert bis zu den Enden seiner Beschriftung</translation>
     </message>
     <message>
-        <source>no name is &quot;%1&quot;, one that was read as &quot;%2&quot; is near to it</source>
+        <source>no name is &quot;%1&quot;; the nearest name that was read is &quot;%2&quot;</source>
         <translation>keine Kurve heißt „%1“; der ähnlichste gelesene Name ist „%2“</translation>
     </message>
     <message>
-        <source>a stroke&apos;s foot lies under another curve and is taken from that</source>
+        <source>the start of a stroke is hidden under another curve and was taken from that curve</source>
         <translation>der Anfang eines Hubs ist von einer anderen Kurve verdeckt und wurde von dieser übernommen</translation>
     </message>
     <message>
@@ -9677,7 +9677,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Kurven sind nicht sicher (%1)</translation>
     </message>
     <message>
-        <source>the traced points make no curve (the fit is %1 px off them)</source>
+        <source>the traced points do not form a curve (the fit deviates from them by %1 px)</source>
         <translation>die abgelesenen Punkte ergeben keine Kurve (die Anpassung weicht um %1 px von ihnen ab)</translation>
     </message>
     <message>
@@ -9685,28 +9685,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Graph %1</translation>
     </message>
     <message>
-        <source>the %1 numbers along it make no even progression</source>
-        <translation>ihre %1 Zahlen bilden keine gleichmäßige Folge</translation>
+        <source>its %1 numbers do not form an even scale</source>
+        <translation>ihre %1 Zahlen bilden keine gleichmäßige Skala</translation>
     </message>
     <message>
-        <source>the %1 numbers along it fall, and the plot could not be turned round</source>
-        <translation>ihre %1 Zahlen fallen, und das Diagramm ließ sich nicht umkehren</translation>
+        <source>its %1 numbers decrease, and the plot could not be turned round</source>
+        <translation>ihre %1 Zahlen nehmen ab, und das Diagramm ließ sich nicht umkehren</translation>
     </message>
     <message>
         <source>this is more likely a drawing than a force graph (%1)</source>
         <translation>dies ist eher eine Zeichnung als ein Kraftgraph (%1)</translation>
     </message>
     <message>
-        <source>what can be followed in this ink does not look like a force curve (confidence %1)</source>
-        <translation>die Linien in dieser Farbe sehen nicht nach einer Kraftkurve aus (Sicherheit %1)</translation>
+        <source>the lines that were traced do not look like a force curve (confidence %1)</source>
+        <translation>die abgelesenen Linien sehen nicht nach einer Kraftkurve aus (Sicherheit %1)</translation>
     </message>
     <message>
-        <source>%1 curves, and which two belong together is not clear: %2</source>
-        <translation>%1 Kurven; welche zwei zusammengehören, ist nicht klar: %2</translation>
+        <source>there are %1 curves, and it is not clear which two belong together: %2</source>
+        <translation>es sind %1 Kurven, und es ist nicht klar, welche zwei zusammengehören: %2</translation>
     </message>
     <message>
-        <source>%1 switches are drawn in it: %2</source>
-        <translation>%1 Taster sind darin gezeichnet: %2</translation>
+        <source>the plot shows %1 switches: %2</source>
+        <translation>das Diagramm zeigt %1 Schalter: %2</translation>
     </message>
     <message>
         <source>press and release cannot be told apart: neither legend nor hysteresis says which is which (%1, %2)</source>
@@ -9717,11 +9717,11 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Achse %1 nennt keine Einheit; %2 wäre geraten</translation>
     </message>
     <message>
-        <source>a travel of %1 is not a button&apos;s</source>
+        <source>a travel of %1 is not plausible for a button</source>
         <translation>ein Weg von %1 ist für einen Taster unplausibel</translation>
     </message>
     <message>
-        <source>a force of %1 is not a button&apos;s</source>
+        <source>a force of %1 is not plausible for a button</source>
         <translation>eine Kraft von %1 ist für einen Taster unplausibel</translation>
     </message>
     <message>
@@ -9733,83 +9733,83 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Hinweg geht bis %1 hinab, unter null</translation>
     </message>
     <message>
-        <source>press and release are the same line over most of their length, or one jumps to the other and back</source>
-        <translation>Drücken und Rückweg sind über den größten Teil ihrer Länge dieselbe Linie, oder eine springt auf die andere und zurück</translation>
+        <source>press and release coincide over most of their length, or one jumps to the other and back</source>
+        <translation>Hinweg und Rückweg fallen über den größten Teil ihrer Länge zusammen, oder einer springt auf den anderen und zurück</translation>
     </message>
     <message>
         <source>more than half of a curve is parallel to an axis, as gridlines are</source>
         <translation>mehr als die Hälfte einer Kurve liegt parallel zu einer Achse, wie Gitterlinien</translation>
     </message>
     <message>
-        <source>a stroke with %1 tactile points is not a button&apos;s</source>
+        <source>a stroke with %1 tactile points is not plausible for a button</source>
         <translation>ein Hub mit %1 Druckpunkten ist für einen Taster unplausibel</translation>
     </message>
     <message>
-        <source>the press falls from its start or to its end, as an edge of the frame or a magnet&apos;s pull does</source>
-        <translation>der Hinweg fällt von seinem Anfang an oder bis zu seinem Ende, wie eine Kante des Rahmens oder der Zug eines Magneten</translation>
+        <source>the press force falls at its start or end; perhaps an edge of the frame was traced, or a magnet pulls</source>
+        <translation>die Kraft des Hinwegs fällt an seinem Anfang oder Ende; vielleicht wurde eine Kante des Rahmens abgelesen, oder ein Magnet zieht</translation>
     </message>
     <message>
         <source>the release lies above the press over %1 of their travel</source>
         <translation>der Rückweg liegt auf %1 des gemeinsamen Wegs über dem Hinweg</translation>
     </message>
     <message>
-        <source>a curve ends where the picture does</source>
-        <translation>eine Kurve endet, wo das Bild endet</translation>
+        <source>a curve is cut off at the edge of the picture</source>
+        <translation>eine Kurve ist am Rand des Bildes abgeschnitten</translation>
     </message>
     <message>
         <source>a curve goes on beyond the plot frame at %1</source>
         <translation>eine Kurve läuft bei %1 über den Rahmen hinaus</translation>
     </message>
     <message>
-        <source>the force axis begins at %1 and a curve goes below it</source>
-        <translation>die Kraftachse beginnt bei %1, und eine Kurve läuft darunter weiter</translation>
+        <source>the force axis begins at %1, but a curve goes below this value</source>
+        <translation>die Kraftachse beginnt bei %1, aber eine Kurve geht unter diesen Wert</translation>
     </message>
     <message>
-        <source>ink like a curve&apos;s is left over around %1, %2</source>
-        <translation>bei %1, %2 gleichen Bildpunkte einer Kurve, gehören aber zu keiner</translation>
+        <source>a line like a curve was not traced around %1, %2</source>
+        <translation>bei %1, %2 wurde eine Linie, die einer Kurve gleicht, nicht abgelesen</translation>
     </message>
     <message>
-        <source>the colour given, %1, is that of a curve which the legend calls &quot;%2&quot;</source>
-        <translation>die angegebene Farbe, %1, hat eine Kurve, die in der Legende „%2“ heißt</translation>
+        <source>you gave the colour %1 here, but the legend calls the curve of that colour &quot;%2&quot;</source>
+        <translation>Sie haben hier die Farbe %1 angegeben, die Legende nennt die Kurve dieser Farbe aber „%2“</translation>
     </message>
     <message>
-        <source>one of two curves is called &quot;%1&quot;, which is no stroke, and the other&apos;s name is not read</source>
-        <translation>eine von zwei Kurven heißt „%1“, was kein Hub ist, und der Name der anderen ließ sich nicht lesen</translation>
+        <source>the legend calls one of two curves &quot;%1&quot;, which names no stroke; the other name could not be read</source>
+        <translation>die Legende nennt eine von zwei Kurven „%1“, was kein Hub ist; der andere Name ließ sich nicht lesen</translation>
     </message>
     <message>
-        <source>the legend names strokes of &quot;%1&quot; as well, which are not traced</source>
-        <translation>die Legende nennt auch Hübe von „%1“, die nicht verfolgt sind</translation>
+        <source>the legend also names strokes of &quot;%1&quot;, which were not traced</source>
+        <translation>die Legende nennt auch Hübe von „%1“, die nicht abgelesen wurden</translation>
     </message>
     <message>
-        <source>two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in another size</source>
-        <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, bei anderer Bildgröße aber ein Weg von %2</translation>
+        <source>two readings of the page differ: a travel of %1, but a travel of %2 when the page is drawn at another size</source>
+        <translation>zwei Lesungen der Seite unterscheiden sich: ein Weg von %1, aber ein Weg von %2, wenn die Seite in anderer Größe gezeichnet wird</translation>
     </message>
     <message>
-        <source>as it stands the page is not read for certain (%1): taken as two looks in other sizes read it</source>
-        <translation>in ihrer eigenen Größe ließ sich die Seite nicht sicher lesen (%1): Verwendet wird das Ergebnis, in dem zwei Lesungen in anderer Größe übereinstimmen</translation>
+        <source>the first reading of the page was not certain (%1); two readings at other sizes agree and were used</source>
+        <translation>die erste Lesung der Seite war nicht sicher (%1); zwei Lesungen in anderen Größen stimmen überein und wurden verwendet</translation>
     </message>
     <message>
         <source>a travel of %1</source>
         <translation>ein Weg von %1</translation>
     </message>
     <message>
-        <source>the limit of %1 s was reached: the best that was read until then is taken</source>
-        <translation>die Grenze von %1 s ist erreicht: übernommen wird das Beste, das bis dahin gelesen war</translation>
+        <source>the time limit of %1 s was reached; the best reading so far was used</source>
+        <translation>die Zeitgrenze von %1 s ist erreicht; verwendet wurde die bis dahin beste Lesung</translation>
     </message>
     <message>
-        <source>%1 and up to %2</source>
-        <translation>%1 und bis zu %2</translation>
+        <source>%1 with up to %2</source>
+        <translation>%1 mit bis zu %2</translation>
     </message>
     <message>
-        <source>%1 and up to %2, without a release</source>
-        <translation>%1 und bis zu %2, ohne Rückweg</translation>
+        <source>%1 with up to %2, without a release</source>
+        <translation>%1 mit bis zu %2, ohne Rückweg</translation>
     </message>
     <message>
-        <source>a curve runs over bare paper around %1, %2</source>
-        <translation>bei %1, %2 läuft eine Kurve über leeren Hintergrund</translation>
+        <source>the traced curve runs over blank paper around %1, %2</source>
+        <translation>die abgelesene Kurve läuft bei %1, %2 über leeres Papier</translation>
     </message>
     <message>
-        <source>the numbers of the %1 axis may be thousands or have three decimals</source>
+        <source>the numbers of the %1 axis may be thousands, or may have three decimals</source>
         <translation>die Zahlen der Achse %1 können Tausender sein oder drei Nachkommastellen haben</translation>
     </message>
     <message>
@@ -9825,12 +9825,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Seite sieht fotografiert aus, und Fotos werden öfter falsch gelesen als andere Seiten</translation>
     </message>
     <message>
-        <source>not beyond doubt: %1</source>
+        <source>not certain: %1</source>
         <translation>nicht sicher: %1</translation>
     </message>
     <message>
-        <source>page %1: images of the document that cannot be decoded: %2; the rest was read</source>
-        <translation>Seite %1: Bilder des Dokuments, die sich nicht dekodieren lassen: %2; der Rest wurde gelesen</translation>
+        <source>page %1: images that could not be decoded: %2; the rest of the page was read</source>
+        <translation>Seite %1: Bilder, die sich nicht dekodieren ließen: %2; der Rest der Seite wurde gelesen</translation>
     </message>
     <message>
         <source>page %1: %2</source>
@@ -9841,20 +9841,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>keine Einheit an der Achse %1 gefunden: für %2 genommen</translation>
     </message>
     <message>
-        <source>no unit found on the %1 axis: taken as N because it ends at 5 or below</source>
-        <translation>keine Einheit an der Achse %1 gefunden: für N genommen, weil sie bei 5 oder darunter endet</translation>
+        <source>no unit found on the %1 axis: taken as N because the axis ends at 5 or below</source>
+        <translation>keine Einheit an der Achse %1 gefunden: als N genommen, weil die Achse bei 5 oder darunter endet</translation>
     </message>
     <message>
-        <source>no unit found on the %1 axis: taken as gf because it ends above 5</source>
-        <translation>keine Einheit an der Achse %1 gefunden: für gf genommen, weil sie über 5 endet</translation>
+        <source>no unit found on the %1 axis: taken as gf because the axis ends above 5</source>
+        <translation>keine Einheit an der Achse %1 gefunden: als gf genommen, weil die Achse über 5 endet</translation>
     </message>
     <message>
-        <source>the label &quot;%1&quot; on the %2 axis stands at %3 of the scale that the others make: left out</source>
-        <translation>die Beschriftung „%1“ der Achse %2 liegt bei %3 der Skala, die die anderen vorgeben: weggelassen</translation>
+        <source>the label &quot;%1&quot; on the %2 axis was ignored: by the other labels, its place is at %3</source>
+        <translation>die Beschriftung „%1“ der Achse %2 wurde nicht beachtet: Nach den anderen liegt ihre Stelle bei %3</translation>
     </message>
     <message>
-        <source>the %1 axis has no ticks: its scale comes from where its numbers stand</source>
-        <translation>die Achse %1 hat keine Teilstriche: Ihre Skala kommt daher, wo ihre Zahlen stehen</translation>
+        <source>the %1 axis has no ticks: its scale was taken from the positions of its numbers</source>
+        <translation>die Achse %1 hat keine Teilstriche: Ihre Skala wurde aus den Stellen ihrer Zahlen bestimmt</translation>
     </message>
     <message>
         <source>no unit of displacement found: taken as %1</source>
@@ -9881,28 +9881,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Weg beginnt bei %1: so verschoben, dass der Hinweg bei null beginnt</translation>
     </message>
     <message>
-        <source>a force of %1 before contact was taken off as the meter&apos;s offset</source>
+        <source>a force of %1 before contact was subtracted as offset of the force meter</source>
         <translation>eine Kraft von %1 vor der Berührung wurde als Nullpunktfehler des Messgeräts abgezogen</translation>
     </message>
     <message>
-        <source>the log is long: each %1 rows were averaged into one</source>
+        <source>the log is long: every %1 rows were averaged into one</source>
         <translation>das Protokoll ist lang: Je %1 Zeilen wurden zu einer gemittelt</translation>
     </message>
     <message>
-        <source>%1 of %2 rows hold no two finite numbers and were left out, the first in line %3 (&quot;%4&quot;)</source>
-        <translation>%1 von %2 Zeilen enthalten keine zwei endlichen Zahlen und wurden weggelassen, die erste in Zeile %3 („%4“)</translation>
+        <source>%1 of %2 rows do not hold two usable numbers and were left out, the first in line %3 (&quot;%4&quot;)</source>
+        <translation>%1 von %2 Zeilen enthalten keine zwei brauchbaren Zahlen und wurden weggelassen, die erste in Zeile %3 („%4“)</translation>
     </message>
     <message>
         <source>the log holds no release stroke</source>
         <translation>das Protokoll enthält keinen Rückweg</translation>
     </message>
     <message>
-        <source>testers that write this format read forces off by up to 30 gf against other laboratories</source>
+        <source>testers that write this format measure forces up to 30 gf different from other laboratories</source>
         <translation>Prüfgeräte, die dieses Format schreiben, weichen in der Kraft um bis zu 30 gf von anderen Labors ab</translation>
     </message>
     <message>
-        <source>the same graph is drawn %1 times (%2); the one on page %3 is taken, which reads best</source>
-        <translation>derselbe Graph ist %1 Mal gezeichnet (%2); genommen wurde der auf Seite %3, der sich am besten liest</translation>
+        <source>the same graph is drawn %1 times (%2); the one on page %3 was used, as it is the most certain</source>
+        <translation>derselbe Graph ist %1 Mal gezeichnet (%2); verwendet wurde der auf Seite %3, der am sichersten ist</translation>
     </message>
     <message>
         <source>%1 graphs found; this is the most certain one (page %2, graph %3)</source>
@@ -9913,16 +9913,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1</translation>
     </message>
     <message>
-        <source>the curve ends where one of another switch covers it</source>
-        <translation>die Kurve endet, wo die Kurve eines anderen Tasters sie verdeckt</translation>
+        <source>the curve ends where the curve of another switch covers it</source>
+        <translation>die Kurve endet, wo die Kurve eines anderen Schalters sie verdeckt</translation>
     </message>
     <message>
-        <source>no one curve in it is &quot;%1&quot;; it shows %2</source>
-        <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
+        <source>no single curve is named &quot;%1&quot;; the plot shows %2</source>
+        <translation>keine einzelne Kurve heißt „%1“; das Diagramm zeigt %2</translation>
     </message>
     <message>
-        <source>the file has %1, more than the limit of %2</source>
-        <translation>die Datei hat %1, mehr als die Grenze von %2</translation>
+        <source>the file has %1; the limit is %2</source>
+        <translation>die Datei hat %1; die Grenze ist %2</translation>
     </message>
     <message>
         <source>Give a smaller file</source>
@@ -9941,16 +9941,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das ist ein Ordner, keine Datei</translation>
     </message>
     <message>
-        <source>Choose one of the files in it</source>
-        <translation>Wählen Sie eine der Dateien darin</translation>
+        <source>Choose one of the files in the folder</source>
+        <translation>Wählen Sie eine der Dateien im Ordner</translation>
     </message>
     <message>
-        <source>this is not a regular file</source>
+        <source>this is not an ordinary file</source>
         <translation>das ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>Save its content to a file and import that</source>
-        <translation>Speichern Sie den Inhalt in einer Datei, und importieren Sie diese</translation>
+        <source>Save the content to an ordinary file and import that file</source>
+        <translation>Speichern Sie den Inhalt in einer gewöhnlichen Datei, und importieren Sie diese</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -9981,28 +9981,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Inhalt ist reiner Text</translation>
     </message>
     <message>
-        <source>the content is of no known type</source>
-        <translation>der Inhalt ist von keiner bekannten Art</translation>
+        <source>the type of the content is not known</source>
+        <translation>die Art des Inhalts ist nicht bekannt</translation>
     </message>
     <message>
         <source>first bytes</source>
         <translation>erste Bytes</translation>
     </message>
     <message>
-        <source>%1, although the name promises a %2</source>
-        <translation>%1, obwohl der Name etwas anderes verspricht (%2)</translation>
+        <source>%1, although the file name says that it is a %2</source>
+        <translation>%1, obwohl der Dateiname etwas anderes sagt (%2)</translation>
     </message>
     <message>
         <source>Give a PNG, JPEG, BMP, TIFF, WebP, GIF, PDF, SVG or CSV file</source>
         <translation>Geben Sie eine PNG-, JPEG-, BMP-, TIFF-, WebP-, GIF-, PDF-, SVG- oder CSV-Datei an</translation>
     </message>
     <message>
-        <source>the content is a %1, although the name promises a %2</source>
-        <translation>der Inhalt (%1) ist ein anderer, als der Name verspricht (%2)</translation>
+        <source>the content is a %1, although the file name says that it is a %2</source>
+        <translation>der Inhalt (%1) ist ein anderer, als der Dateiname sagt (%2)</translation>
     </message>
     <message>
-        <source>Check that this is the file you mean, and give it the name that fits its content</source>
-        <translation>Prüfen Sie, ob das die gemeinte Datei ist, und geben Sie ihr den Namen, der zu ihrem Inhalt passt</translation>
+        <source>Check that this is the right file, and give it a name that suits its content</source>
+        <translation>Prüfen Sie, ob das die richtige Datei ist, und geben Sie ihr einen Namen, der zu ihrem Inhalt passt</translation>
     </message>
     <message>
         <source>the file is empty (0 bytes)</source>
@@ -10013,8 +10013,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Kopieren oder laden Sie die Datei noch einmal</translation>
     </message>
     <message>
-        <source>reading it needs more memory than there is</source>
-        <translation>das Lesen braucht mehr Speicher, als da ist</translation>
+        <source>there is not enough memory to read the file</source>
+        <translation>der Speicher reicht nicht aus, um die Datei zu lesen</translation>
     </message>
     <message>
         <source>Scale the picture down or crop it to the graph</source>
@@ -10053,8 +10053,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>JPEG-2000-Bild</translation>
     </message>
     <message>
-        <source>the content is a %1, which is not read</source>
-        <translation>der Inhalt (%1) ist von einer Art, die nicht gelesen wird</translation>
+        <source>the content is a %1, which Detent cannot read</source>
+        <translation>der Inhalt (%1) ist von einer Art, die Detent nicht lesen kann</translation>
     </message>
     <message>
         <source>Open it in a picture viewer and save it as PNG</source>
@@ -10065,8 +10065,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der gepackte Inhalt ist beschädigt oder größer als die Grenze von %1</translation>
     </message>
     <message>
-        <source>Unpack the file and import what is in it</source>
-        <translation>Entpacken Sie die Datei, und importieren Sie, was darin ist</translation>
+        <source>Unpack the file and import its content</source>
+        <translation>Entpacken Sie die Datei, und importieren Sie den Inhalt</translation>
     </message>
     <message>
         <source>WebP picture</source>
@@ -10089,7 +10089,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Dateikopf</translation>
     </message>
     <message>
-        <source>the %1 states no size or is cut off before it</source>
+        <source>the %1 states no size, or is cut off before the size</source>
         <translation>%1: es ist keine Größe angegeben, oder die Datei bricht vorher ab</translation>
     </message>
     <message>
@@ -10109,92 +10109,92 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1: die Datei ist abgeschnitten</translation>
     </message>
     <message>
-        <source>this build reads no %1 files (it was made without MuPDF)</source>
-        <translation>diese Fassung liest keine %1-Dateien (sie wurde ohne MuPDF gebaut)</translation>
+        <source>this build of Detent cannot read %1 files (it was built without MuPDF)</source>
+        <translation>diese Fassung von Detent kann keine %1-Dateien lesen (sie wurde ohne MuPDF gebaut)</translation>
     </message>
     <message>
         <source>Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that</source>
         <translation>Bauen Sie mit DETENT_WITH_MUPDF=ON, oder exportieren Sie die Seite als PNG mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
     <message>
-        <source>Remove the values that the sensor did not measure from the file</source>
-        <translation>Entfernen Sie aus der Datei, was der Sensor nicht gemessen hat</translation>
+        <source>Remove from the file all values that the sensor did not measure</source>
+        <translation>Entfernen Sie aus der Datei alle Werte, die der Sensor nicht gemessen hat</translation>
     </message>
     <message>
         <source>it cannot be read: %1</source>
         <translation>sie kann nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>the disk refused: %1</source>
-        <translation>der Datenträger meldet einen Fehler: %1</translation>
+        <source>the disk is full or failed: %1</source>
+        <translation>der Datenträger ist voll oder fehlerhaft: %1</translation>
     </message>
     <message>
         <source>it cannot be opened: %1</source>
         <translation>sie kann nicht geöffnet werden: %1</translation>
     </message>
     <message>
-        <source>it is no whole library: %1</source>
-        <translation>sie ist keine vollständige Sammlung: %1</translation>
+        <source>the library is not complete: %1</source>
+        <translation>die Sammlung ist nicht vollständig: %1</translation>
     </message>
     <message>
-        <source>it was of version %1, this program&apos;s is %2: made anew from the folders given</source>
-        <translation>sie hatte Version %1, dieses Programm verwendet %2: neu aufgebaut aus den angegebenen Ordnern</translation>
+        <source>the library had version %1, this program uses %2: it was built anew from the given folders</source>
+        <translation>die Sammlung hatte Version %1, dieses Programm verwendet %2: Sie wurde aus den angegebenen Ordnern neu aufgebaut</translation>
     </message>
     <message>
-        <source>it is damaged and cannot be moved aside: %1</source>
-        <translation>sie ist beschädigt und lässt sich nicht beiseitelegen: %1</translation>
+        <source>the library is damaged and could not be renamed: %1</source>
+        <translation>die Sammlung ist beschädigt und ließ sich nicht umbenennen: %1</translation>
     </message>
     <message>
-        <source>it was damaged (%1): made anew from the folders given, the damaged one is kept as %2</source>
-        <translation>sie war beschädigt (%1): neu aufgebaut aus den angegebenen Ordnern; die beschädigte ist als %2 aufgehoben</translation>
+        <source>the library was damaged (%1) and was built anew from the given folders; the damaged file is kept as %2</source>
+        <translation>die Sammlung war beschädigt (%1) und wurde aus den angegebenen Ordnern neu aufgebaut; die beschädigte Datei ist als %2 aufgehoben</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no button or force log</source>
+        <source>&apos;%1&apos; is neither a button nor a force log</source>
         <translation>„%1“ ist weder ein Taster noch ein Kraftprotokoll</translation>
     </message>
     <message>
-        <source>it holds %1 switches or states</source>
-        <translation>sie enthält %1 Schalter oder Zustände</translation>
+        <source>there are only %1 switches or states</source>
+        <translation>es gibt nur %1 Schalter oder Zustände</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no page&apos;s name</source>
+        <source>&apos;%1&apos; is not the name of a page</source>
         <translation>„%1“ ist nicht der Name einer Seite</translation>
     </message>
     <message>
-        <source>it has no %1</source>
-        <translation>er hat keine solche Größe: %1</translation>
+        <source>there is no %1</source>
+        <translation>es gibt kein %1</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no button&apos;s name</source>
+        <source>&apos;%1&apos; is not the name of a button</source>
         <translation>„%1“ ist nicht der Name eines Tasters</translation>
     </message>
     <message>
-        <source>there is no row of numbers along it</source>
-        <translation>sie hat keine Reihe von Zahlen</translation>
+        <source>no row of numbers was found along the axis</source>
+        <translation>an der Achse wurde keine Reihe von Zahlen gefunden</translation>
     </message>
     <message>
-        <source>its range is empty</source>
-        <translation>ihr Bereich ist leer</translation>
+        <source>both ends of the axis have the same value</source>
+        <translation>beide Enden der Achse haben denselben Wert</translation>
     </message>
     <message>
         <source>Give two different values</source>
         <translation>Zwei verschiedene Werte angeben</translation>
     </message>
     <message>
-        <source>displacement or force is not a finite number</source>
-        <translation>Weg oder Kraft ist keine endliche Zahl</translation>
+        <source>displacement or force is not a usable number</source>
+        <translation>Weg oder Kraft ist keine brauchbare Zahl</translation>
     </message>
     <message>
-        <source>Leave such points out before fitting</source>
+        <source>Leave out such points before fitting</source>
         <translation>Solche Punkte vor dem Anpassen weglassen</translation>
     </message>
     <message>
-        <source>it has no point</source>
-        <translation>er hat keinen Punkt</translation>
+        <source>there are no points</source>
+        <translation>es gibt keine Punkte</translation>
     </message>
     <message>
-        <source>it has one point</source>
-        <translation>er hat einen Punkt</translation>
+        <source>there is only one point</source>
+        <translation>es gibt nur einen Punkt</translation>
     </message>
     <message>
         <source>Give at least two points with different displacements</source>
@@ -10209,16 +10209,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Achse oder Spalte des Wegs prüfen</translation>
     </message>
     <message>
-        <source>the points span more than a number can hold</source>
-        <translation>die Punkte spannen mehr auf, als eine Zahl fasst</translation>
+        <source>the points are too far apart to compute with</source>
+        <translation>die Punkte liegen zu weit auseinander, um damit zu rechnen</translation>
     </message>
     <message>
         <source>Check the units of the axes</source>
         <translation>Die Einheiten der Achsen prüfen</translation>
     </message>
     <message>
-        <source>its points run to and fro in displacement</source>
-        <translation>seine Punkte laufen im Weg hin und her</translation>
+        <source>the displacement of the points goes forth and back</source>
+        <translation>der Weg der Punkte läuft hin und her</translation>
     </message>
     <message>
         <source>Split press and release before fitting, each in the order travelled</source>
@@ -10237,16 +10237,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Rahmen ist kleiner als 16 Pixel</translation>
     </message>
     <message>
-        <source>it is a WebPlotDigitizer project of a version other than 3 and 4</source>
-        <translation>es ist ein Projekt des WebPlotDigitizers in einer anderen Version als 3 und 4</translation>
+        <source>it is a WebPlotDigitizer project of an unknown version; only 3 and 4 can be read</source>
+        <translation>es ist ein Projekt des WebPlotDigitizers in einer unbekannten Version; nur 3 und 4 sind lesbar</translation>
     </message>
     <message>
         <source>Export the data sets as CSV</source>
         <translation>Die Datensätze als CSV exportieren</translation>
     </message>
     <message>
-        <source>no data set on xy axes holds two points</source>
-        <translation>kein Datensatz auf xy-Achsen hat zwei Punkte</translation>
+        <source>no data set on xy axes has two points or more</source>
+        <translation>kein Datensatz auf xy-Achsen hat mindestens zwei Punkte</translation>
     </message>
     <message>
         <source>Trace each stroke as a data set, then save the project</source>
@@ -10257,19 +10257,19 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Datensatz &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>its points jump between two curves</source>
-        <translation>seine Punkte springen zwischen zwei Kurven</translation>
+        <source>the points jump between two curves</source>
+        <translation>die Punkte springen zwischen zwei Kurven</translation>
     </message>
     <message>
-        <source>Give press and release a data set each, named so</source>
-        <translation>Hinweg und Rückweg je einen Datensatz geben, benannt „press“ und „release“</translation>
+        <source>Use one data set for the press and one for the release, and name them so</source>
+        <translation>Verwenden Sie einen Datensatz für den Hinweg und einen für den Rückweg, und nennen Sie sie „press“ und „release“</translation>
     </message>
     <message>
-        <source>its data sets are all named as releases</source>
-        <translation>alle seine Datensätze heißen Rückweg (release)</translation>
+        <source>all data sets are named as releases</source>
+        <translation>alle Datensätze heißen Rückweg (release)</translation>
     </message>
     <message>
-        <source>Name the set of the way down &quot;press&quot;</source>
+        <source>Name the data set of the press &quot;press&quot;</source>
         <translation>Den Datensatz des Hinwegs „press“ nennen</translation>
     </message>
     <message>
@@ -10277,8 +10277,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Das Projekt im WebPlotDigitizer noch einmal speichern</translation>
     </message>
     <message>
-        <source>it is no TAR archive</source>
-        <translation>es ist kein TAR-Archiv</translation>
+        <source>the file is not a TAR archive</source>
+        <translation>die Datei ist kein TAR-Archiv</translation>
     </message>
     <message>
         <source>the archive is damaged</source>
@@ -10289,83 +10289,83 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Archiv enthält kein Projekt (wpd.json)</translation>
     </message>
     <message>
-        <source>it is no JSON</source>
-        <translation>es ist kein JSON</translation>
+        <source>the file is not JSON</source>
+        <translation>die Datei ist kein JSON</translation>
     </message>
     <message>
-        <source>Export it again: it may have been cut off</source>
-        <translation>Noch einmal exportieren: vielleicht wurde die Datei abgeschnitten</translation>
+        <source>Export the file again: it may have been cut off</source>
+        <translation>Exportieren Sie die Datei neu: Sie kann abgeschnitten sein</translation>
     </message>
     <message>
-        <source>it is the description of a data package</source>
-        <translation>es ist die Beschreibung eines Datenpakets</translation>
+        <source>the file is the description of a data package</source>
+        <translation>die Datei ist die Beschreibung eines Datenpakets</translation>
     </message>
     <message>
-        <source>Import the CSV of its curve, which lies beside it</source>
-        <translation>Die CSV seiner Kurve importieren, die daneben liegt</translation>
+        <source>Import the CSV file of its curve, which is in the same folder</source>
+        <translation>Importieren Sie die CSV-Datei der Kurve, die im selben Ordner liegt</translation>
     </message>
     <message>
-        <source>it holds no strokes</source>
-        <translation>sie enthält keine Hübe</translation>
+        <source>the file holds no strokes</source>
+        <translation>die Datei enthält keine Hübe</translation>
     </message>
     <message>
         <source>A recording has the lists down_x, down_y and up_y</source>
         <translation>Eine Aufzeichnung hat die Listen down_x, down_y und up_y</translation>
     </message>
     <message>
-        <source>its lists hold no press</source>
-        <translation>ihre Listen enthalten keinen Hinweg</translation>
+        <source>the lists of the recording hold no press</source>
+        <translation>die Listen der Aufzeichnung enthalten keinen Hinweg</translation>
     </message>
     <message>
-        <source>it is no spreadsheet, or a damaged one</source>
-        <translation>es ist keine Tabelle, oder sie ist beschädigt</translation>
+        <source>the file is not a spreadsheet, or is damaged</source>
+        <translation>die Datei ist keine Tabelle oder ist beschädigt</translation>
     </message>
     <message>
         <source>the import %1</source>
         <translation>der Import %1</translation>
     </message>
     <message>
-        <source>its curve has fewer than two points</source>
-        <translation>seine Kurve hat weniger als zwei Punkte</translation>
+        <source>the curve has fewer than two points</source>
+        <translation>die Kurve hat weniger als zwei Punkte</translation>
     </message>
     <message>
         <source>holds no curve</source>
         <translation>enthält keine Kurve</translation>
     </message>
     <message>
-        <source>is empty: nothing but paper and grid lines in it</source>
-        <translation>ist leer: nur Hintergrund und Gitterlinien darin</translation>
+        <source>is empty: it shows only paper and gridlines</source>
+        <translation>ist leer: Es zeigt nur Papier und Gitterlinien</translation>
     </message>
     <message>
         <source>shows no line in the colours given</source>
         <translation>zeigt keine Linie in den angegebenen Farben</translation>
     </message>
     <message>
-        <source>must lie in (0, 16] px</source>
+        <source>must be above 0 and at most 16 px</source>
         <translation>muss größer als 0 und höchstens 16 px sein</translation>
     </message>
     <message>
-        <source>Leave it at 1</source>
-        <translation>Bei 1 lassen</translation>
+        <source>Leave the value at 1</source>
+        <translation>Lassen Sie den Wert bei 1</translation>
     </message>
     <message>
         <source>lies outside the picture or has no area</source>
         <translation>liegt außerhalb des Bilds oder hat keine Fläche</translation>
     </message>
     <message>
-        <source>its wpd.json is no JSON</source>
-        <translation>seine wpd.json ist kein JSON</translation>
+        <source>the wpd.json in it is not JSON</source>
+        <translation>die wpd.json darin ist kein JSON</translation>
     </message>
     <message>
-        <source>its wpd.json is no project of WebPlotDigitizer</source>
-        <translation>seine wpd.json ist kein Projekt des WebPlotDigitizers</translation>
+        <source>the wpd.json in it is not a WebPlotDigitizer project</source>
+        <translation>die wpd.json darin ist kein Projekt des WebPlotDigitizers</translation>
     </message>
     <message>
         <source>total travel</source>
         <translation>Gesamtweg</translation>
     </message>
     <message>
-        <source>pretravel</source>
+        <source>pre-travel</source>
         <translation>Vorlaufweg</translation>
     </message>
     <message>
@@ -10393,24 +10393,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Tabelle neu speichern, als xlsx, ODS oder CSV</translation>
     </message>
     <message>
-        <source>its content is damaged, or larger than 64 MB when unpacked</source>
-        <translation>ihr Inhalt ist beschädigt oder entpackt größer als 64 MB</translation>
+        <source>the content is damaged, or larger than 64 MB when unpacked</source>
+        <translation>der Inhalt ist beschädigt oder entpackt größer als 64 MB</translation>
     </message>
     <message>
-        <source>the archive holds no sheet</source>
-        <translation>das Archiv enthält kein Tabellenblatt</translation>
+        <source>the spreadsheet file has no sheet</source>
+        <translation>die Tabellendatei hat kein Tabellenblatt</translation>
     </message>
     <message>
-        <source>the line does not end</source>
-        <translation>die Zeile endet nicht</translation>
+        <source>the line is too long</source>
+        <translation>die Zeile ist zu lang</translation>
     </message>
     <message>
         <source>Give a table with one sample per line</source>
         <translation>Eine Tabelle mit einem Messpunkt je Zeile angeben</translation>
     </message>
     <message>
-        <source>only the heading names the units: &quot;%1&quot;</source>
-        <translation>nur die Überschrift nennt die Einheiten: „%1“</translation>
+        <source>the units are named only in the heading: &quot;%1&quot;</source>
+        <translation>die Einheiten stehen nur in der Überschrift: „%1“</translation>
     </message>
     <message>
         <source>spreadsheets need the library libzip, which is not installed</source>
@@ -10425,28 +10425,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>nur der Hinweg wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
     </message>
     <message>
-        <source>an operating point is printed, but was not placed</source>
-        <translation>ein Schaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
+        <source>the page states an operating point, but it could not be placed on the curve</source>
+        <translation>die Seite nennt einen Schaltpunkt, er ließ sich aber nicht auf die Kurve setzen</translation>
     </message>
     <message>
-        <source>a reset point is printed, but was not placed</source>
-        <translation>ein Rückschaltpunkt ist gedruckt, wurde aber nicht gesetzt</translation>
+        <source>the page states a reset point, but it could not be placed on the curve</source>
+        <translation>die Seite nennt einen Rückschaltpunkt, er ließ sich aber nicht auf die Kurve setzen</translation>
     </message>
     <message>
         <source>the axes are exchanged: force runs to the right and travel upwards</source>
         <translation>die Achsen sind vertauscht: Die Kraft verläuft nach rechts und der Weg nach oben</translation>
     </message>
     <message>
-        <source>%1 axis: given, %2 of %3 printed numbers agree</source>
-        <translation>%1-Achse: vorgegeben, %2 von %3 gedruckten Zahlen stimmen überein</translation>
+        <source>%1 axis: entered by hand; %2 of %3 printed numbers agree</source>
+        <translation>%1-Achse: von Hand eingegeben; %2 von %3 gedruckten Zahlen stimmen überein</translation>
     </message>
     <message>
         <source>%1 axis: %2 of %3 printed numbers fit one scale, with %4 ticks</source>
         <translation>%1-Achse: %2 von %3 gedruckten Zahlen passen zu einer Skala, mit %4 Teilstrichen</translation>
     </message>
     <message>
-        <source>the values given for the %1 axis contradict the numbers printed there (%2)</source>
-        <translation>die Werte, die für die %1-Achse vorgegeben sind, widersprechen den dort gedruckten Zahlen (%2)</translation>
+        <source>the values entered for the %1 axis contradict the numbers printed there (%2)</source>
+        <translation>die Werte, die für die %1-Achse eingegeben sind, widersprechen den dort gedruckten Zahlen (%2)</translation>
     </message>
     <message>
         <source>measures &quot;%1&quot;</source>
@@ -10457,7 +10457,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist logarithmisch</translation>
     </message>
     <message>
-        <source>has categories in place of a scale</source>
+        <source>has categories instead of a scale</source>
         <translation>zeigt Kategorien statt einer Skala</translation>
     </message>
     <message>
@@ -10469,8 +10469,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine zweite Skala rechts %1</translation>
     </message>
     <message>
-        <source>Import a graph on which one scale of force holds for press and release</source>
-        <translation>Importieren Sie einen Graphen, auf dem eine Kraftskala für Hinweg und Rückweg gilt</translation>
+        <source>Import a graph on which press and release have the same force scale</source>
+        <translation>Importieren Sie einen Graphen, auf dem Hinweg und Rückweg dieselbe Kraftskala haben</translation>
     </message>
     <message>
         <source>graph %1</source>
@@ -10489,7 +10489,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kein Kraftgraph gefunden (%1)</translation>
     </message>
     <message>
-        <source>measures forces too</source>
+        <source>also measures forces</source>
         <translation>misst ebenfalls Kräfte</translation>
     </message>
     <message>
@@ -10497,27 +10497,27 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Tabelle lässt sich auf mehrere Weisen lesen: %1</translation>
     </message>
     <message>
-        <source>Pass one of the choices</source>
-        <translation>Eine der Möglichkeiten angeben</translation>
+        <source>Choose one of these</source>
+        <translation>Wählen Sie eine davon</translation>
     </message>
     <message>
-        <source>the table is hardly a record of a button</source>
-        <translation>die Tabelle sieht nicht nach der Aufzeichnung eines Tasters aus</translation>
+        <source>the table does not look like a measurement of a button</source>
+        <translation>die Tabelle sieht nicht nach der Messung eines Tasters aus</translation>
     </message>
     <message>
-        <source>the fitted curve leaves the samples</source>
-        <translation>die angepasste Kurve weicht von den Messpunkten ab</translation>
+        <source>the fitted curve deviates from the measured values</source>
+        <translation>die angepasste Kurve weicht von den Messwerten ab</translation>
     </message>
     <message>
-        <source>Check the values, or ask for a lower confidence</source>
-        <translation>Die Werte prüfen oder eine geringere Sicherheit verlangen</translation>
+        <source>Check the values, or accept a lower confidence</source>
+        <translation>Prüfen Sie die Werte, oder lassen Sie eine geringere Sicherheit zu</translation>
     </message>
     <message>
         <source>nothing was read within the limit of %1 s</source>
         <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
     </message>
     <message>
-        <source>Choose a lower level of quality</source>
+        <source>Choose a lower quality</source>
         <translation>Eine niedrigere Qualität wählen</translation>
     </message>
 </context>
@@ -10532,7 +10532,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Seiten zählen von 1 bis %1</translation>
     </message>
     <message>
-        <source>the region is not a box</source>
+        <source>the region is not a rectangle</source>
         <translation>der Bereich ist kein Rechteck</translation>
     </message>
     <message>
@@ -10543,19 +10543,19 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::Doubts</name>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are taken for press and release, as they end in one point</source>
-        <translation>„%1“ und „%2“ sind als Hinweg und Rückweg genommen, da sie in einem Punkt enden</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are taken as press and release, because they end at the same point</source>
+        <translation>„%1“ und „%2“ sind als Hinweg und Rückweg genommen, weil sie im selben Punkt enden</translation>
     </message>
     <message>
-        <source>Use the whole picture</source>
-        <translation>Das ganze Bild verwenden</translation>
+        <source>Import the whole picture</source>
+        <translation>Importieren Sie das ganze Bild</translation>
     </message>
     <message>
-        <source>Correct the given values, or give none so that the numbers count</source>
-        <translation>Berichtigen Sie die vorgegebenen Werte, oder geben Sie keine vor, damit die gedruckten Zahlen gelten</translation>
+        <source>Correct the given values, or remove them so that the printed numbers are used</source>
+        <translation>Berichtigen Sie die vorgegebenen Werte, oder entfernen Sie sie, damit die gedruckten Zahlen gelten</translation>
     </message>
     <message>
-        <source>measures forces too</source>
+        <source>also measures forces</source>
         <translation>misst ebenfalls Kräfte</translation>
     </message>
     <message>
@@ -10574,28 +10574,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein Kraftprotokoll hat keine Seiten</translation>
     </message>
     <message>
-        <source>Import it without a page number</source>
-        <translation>Ohne Seitenzahl importieren</translation>
+        <source>Import the log without a page number</source>
+        <translation>Importieren Sie das Protokoll ohne Seitenzahl</translation>
     </message>
     <message>
         <source>a force log has no pages to list</source>
         <translation>ein Kraftprotokoll hat keine Seiten, die sich auflisten ließen</translation>
     </message>
     <message>
-        <source>Import it without listing</source>
-        <translation>Importieren, ohne aufzulisten</translation>
+        <source>Import the log without listing</source>
+        <translation>Importieren Sie das Protokoll, ohne aufzulisten</translation>
     </message>
     <message>
         <source>a force log shows no switches</source>
         <translation>ein Kraftprotokoll zeigt keine Schalter</translation>
     </message>
     <message>
-        <source>a page has no records</source>
+        <source>a page has no recordings</source>
         <translation>eine Seite hat keine Aufzeichnungen</translation>
     </message>
     <message>
-        <source>List its graphs</source>
-        <translation>Ihre Diagramme auflisten</translation>
+        <source>List the graphs of the page</source>
+        <translation>Listen Sie die Graphen der Seite auf</translation>
     </message>
 </context>
 <context>
@@ -10616,91 +10616,91 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::LibraryStore</name>
     <message>
-        <source>it is of version %1, this program&apos;s is %2</source>
-        <translation>sie ist von Version %1, die dieses Programms ist %2</translation>
+        <source>the library has version %1, this program uses %2</source>
+        <translation>die Sammlung hat Version %1, dieses Programm verwendet %2</translation>
     </message>
 </context>
 <context>
     <name>detent::importer::LogReader</name>
     <message>
-        <source>it has no sample</source>
-        <translation>er hat keinen Messwert</translation>
+        <source>there are no samples</source>
+        <translation>es gibt keine Messwerte</translation>
     </message>
     <message>
-        <source>it has one sample</source>
-        <translation>er hat einen Messwert</translation>
+        <source>there is only one sample</source>
+        <translation>es gibt nur einen Messwert</translation>
     </message>
     <message>
-        <source>A stroke needs at least two samples at different displacements; check the rows and the split</source>
-        <translation>Ein Hub braucht mindestens zwei Messwerte an verschiedenen Wegen; die Zeilen und die Trennung prüfen</translation>
+        <source>A stroke needs at least two samples at different displacements. Check the rows, and which rows are press and release</source>
+        <translation>Ein Hub braucht mindestens zwei Messwerte an verschiedenen Wegen. Prüfen Sie die Zeilen und welche davon Hinweg und Rückweg sind</translation>
     </message>
     <message>
-        <source>its displacement never changes</source>
-        <translation>sein Weg ändert sich nie</translation>
+        <source>the displacement never changes</source>
+        <translation>der Weg ändert sich nie</translation>
     </message>
     <message>
         <source>Check which column holds the displacement</source>
         <translation>Prüfen, in welcher Spalte der Weg steht</translation>
     </message>
     <message>
-        <source>it is missing</source>
-        <translation>sie fehlt</translation>
+        <source>the file does not exist</source>
+        <translation>die Datei gibt es nicht</translation>
     </message>
     <message>
         <source>it is a folder</source>
         <translation>sie ist ein Ordner</translation>
     </message>
     <message>
-        <source>it is larger than 256 MB</source>
-        <translation>sie ist größer als 256 MB</translation>
+        <source>the file is larger than 256 MB</source>
+        <translation>die Datei ist größer als 256 MB</translation>
     </message>
     <message>
         <source>Export one press with its release, or fewer rows</source>
         <translation>Eine Betätigung mit ihrem Rückweg exportieren, oder weniger Zeilen</translation>
     </message>
     <message>
-        <source>it cannot be read</source>
-        <translation>sie kann nicht gelesen werden</translation>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>it is empty</source>
-        <translation>sie ist leer</translation>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
     </message>
     <message>
-        <source>it is a spreadsheet of Excel 97 to 2003</source>
-        <translation>sie ist eine Tabelle von Excel 97 bis 2003</translation>
+        <source>the file is a spreadsheet of Excel 97 to 2003</source>
+        <translation>die Datei ist eine Tabelle von Excel 97 bis 2003</translation>
     </message>
     <message>
-        <source>Save it as xlsx, ODS or CSV</source>
-        <translation>Als xlsx, ODS oder CSV speichern</translation>
+        <source>Save the spreadsheet as xlsx, ODS or CSV</source>
+        <translation>Speichern Sie die Tabelle als xlsx, ODS oder CSV</translation>
     </message>
     <message>
-        <source>it is larger than 32 MB</source>
-        <translation>sie ist größer als 32 MB</translation>
+        <source>the file is larger than 32 MB</source>
+        <translation>die Datei ist größer als 32 MB</translation>
     </message>
     <message>
         <source>Export fewer switches into one file</source>
         <translation>Weniger Schalter in eine Datei exportieren</translation>
     </message>
     <message>
-        <source>it is no spreadsheet, or a damaged one</source>
-        <translation>sie ist keine Tabelle oder eine beschädigte</translation>
+        <source>the file is not a spreadsheet, or is damaged</source>
+        <translation>die Datei ist keine Tabelle oder ist beschädigt</translation>
     </message>
     <message>
         <source>Save the spreadsheet again</source>
         <translation>Die Tabelle neu speichern</translation>
     </message>
     <message>
-        <source>it is no TAR archive</source>
-        <translation>sie ist kein TAR-Archiv</translation>
+        <source>the file is not a TAR archive</source>
+        <translation>die Datei ist kein TAR-Archiv</translation>
     </message>
     <message>
         <source>Save the project once more in WebPlotDigitizer</source>
         <translation>Das Projekt in WebPlotDigitizer neu speichern</translation>
     </message>
     <message>
-        <source>its content is no text</source>
-        <translation>ihr Inhalt ist kein Text</translation>
+        <source>the content is not text</source>
+        <translation>der Inhalt ist kein Text</translation>
     </message>
     <message>
         <source>Export the measurement as CSV, xlsx or ODS</source>
@@ -10715,40 +10715,40 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ein Blatt mit einer Wegspalte und einer Kraftspalte angeben</translation>
     </message>
     <message>
-        <source>it holds no two columns of numbers</source>
-        <translation>sie enthält keine zwei Spalten mit Zahlen</translation>
+        <source>there are no two columns of numbers</source>
+        <translation>es gibt keine zwei Spalten mit Zahlen</translation>
     </message>
     <message>
         <source>Give a table with a column of displacement and one of force, for example &quot;displacement_mm,force_N&quot;</source>
         <translation>Eine Tabelle mit einer Wegspalte und einer Kraftspalte angeben, zum Beispiel „displacement_mm,force_N“</translation>
     </message>
     <message>
-        <source>no column is &quot;%1&quot;</source>
+        <source>no column is named &quot;%1&quot;</source>
         <translation>keine Spalte heißt „%1“</translation>
     </message>
     <message>
-        <source>Its columns are %1</source>
-        <translation>Ihre Spalten sind %1</translation>
+        <source>The columns are %1</source>
+        <translation>Die Spalten sind %1</translation>
     </message>
     <message>
-        <source>its unit of %1, &quot;%2&quot;, is not known</source>
-        <translation>ihre Einheit für %1, „%2“, ist nicht bekannt</translation>
+        <source>the unit of %1, &quot;%2&quot;, is not known</source>
+        <translation>die Einheit für %1, „%2“, ist nicht bekannt</translation>
     </message>
     <message>
-        <source>the mean of %1 records was taken</source>
+        <source>the mean of %1 recordings was taken</source>
         <translation>das Mittel von %1 Aufzeichnungen wurde genommen</translation>
     </message>
     <message>
-        <source>it holds %1 records: %2</source>
-        <translation>sie enthält %1 Aufzeichnungen: %2</translation>
+        <source>there are %1 recordings: %2</source>
+        <translation>es gibt %1 Aufzeichnungen: %2</translation>
     </message>
     <message>
         <source>Pass --record NAME|N for one of them, or --record mean</source>
         <translation>--record NAME|N für eine davon angeben, oder --record mean</translation>
     </message>
     <message>
-        <source>a pair is one press and one release, each in its file</source>
-        <translation>ein Paar ist ein Hinweg und ein Rückweg, jeder in seiner Datei</translation>
+        <source>a pair consists of two files, one with a press and one with a release</source>
+        <translation>ein Paar besteht aus zwei Dateien, einer mit dem Hinweg und einer mit dem Rückweg</translation>
     </message>
     <message>
         <source>column %1 was taken in %2, the unit given by hand</source>
@@ -10759,15 +10759,15 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Zuerst die Datei des Hinwegs angeben, dann die des Rückwegs</translation>
     </message>
     <message>
-        <source>the press was taken back in part and resumed: its beginning was joined to it</source>
-        <translation>die Betätigung wurde teilweise zurückgenommen und fortgesetzt: Beide Teile wurden verbunden</translation>
+        <source>the press went back a little and continued; both parts were joined</source>
+        <translation>der Hinweg ging ein wenig zurück und dann weiter; beide Teile wurden verbunden</translation>
     </message>
     <message>
-        <source>an approach of %1 through air was cut off; contact is certain to %2</source>
-        <translation>ein Anfahrweg von %1 vor der Berührung wurde abgeschnitten; der Berührungspunkt ist auf %2 genau</translation>
+        <source>the first %1, through air before contact, was cut off; the point of contact is certain to %2</source>
+        <translation>die ersten %1, durch Luft vor der Berührung, wurden abgeschnitten; der Berührungspunkt ist auf %2 genau</translation>
     </message>
     <message>
-        <source>Check the path and its rights</source>
+        <source>Check the path and its permissions</source>
         <translation>Den Pfad und seine Zugriffsrechte prüfen</translation>
     </message>
     <message>
@@ -10779,64 +10779,64 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Messung neu exportieren</translation>
     </message>
     <message>
-        <source>If so, pass %1</source>
+        <source>If it is, pass %1</source>
         <translation>Wenn ja: %1</translation>
     </message>
     <message>
-        <source>whether column %1 is a displacement and %2 a force is not known</source>
-        <translation>ob Spalte %1 ein Weg und Spalte %2 eine Kraft ist, ist nicht bekannt</translation>
+        <source>it is not known whether column %1 is displacement and column %2 is force</source>
+        <translation>es ist nicht bekannt, ob Spalte %1 ein Weg und Spalte %2 eine Kraft ist</translation>
     </message>
     <message>
-        <source>whether column %1 is a displacement is not known</source>
-        <translation>ob Spalte %1 ein Weg ist, ist nicht bekannt</translation>
+        <source>it is not known whether column %1 is displacement</source>
+        <translation>es ist nicht bekannt, ob Spalte %1 ein Weg ist</translation>
     </message>
     <message>
-        <source>whether column %1 is a force is not known</source>
-        <translation>ob Spalte %1 eine Kraft ist, ist nicht bekannt</translation>
+        <source>it is not known whether column %1 is force</source>
+        <translation>es ist nicht bekannt, ob Spalte %1 eine Kraft ist</translation>
     </message>
     <message>
-        <source>its %1 formulas have no results: no program has calculated them</source>
-        <translation>seine %1 Formeln haben keine Ergebnisse: kein Programm hat sie berechnet</translation>
+        <source>%1 formulas have no results: no program has calculated them</source>
+        <translation>%1 Formeln haben keine Ergebnisse: Kein Programm hat sie berechnet</translation>
     </message>
     <message>
-        <source>Open it in a spreadsheet program and save it there</source>
-        <translation>In einem Tabellenprogramm öffnen und dort speichern</translation>
+        <source>Open the file in a spreadsheet program and save it there</source>
+        <translation>Öffnen Sie die Datei in einem Tabellenprogramm, und speichern Sie sie dort</translation>
     </message>
     <message>
-        <source>no column is a displacement; its columns are %1</source>
-        <translation>keine Spalte ist ein Weg; ihre Spalten sind %1</translation>
+        <source>no column is displacement; the columns are %1</source>
+        <translation>keine Spalte ist ein Weg; die Spalten sind %1</translation>
     </message>
     <message>
-        <source>no column is a force; its columns are %1</source>
-        <translation>keine Spalte ist eine Kraft; ihre Spalten sind %1</translation>
+        <source>no column is force; the columns are %1</source>
+        <translation>keine Spalte ist eine Kraft; die Spalten sind %1</translation>
     </message>
     <message>
-        <source>no column is a displacement and none is a force; its columns are %1</source>
-        <translation>keine Spalte ist ein Weg und keine eine Kraft; ihre Spalten sind %1</translation>
+        <source>no column is displacement and none is force; the columns are %1</source>
+        <translation>keine Spalte ist ein Weg und keine eine Kraft; die Spalten sind %1</translation>
     </message>
     <message>
-        <source>its displacement does not change by more than its noise; its columns are %1</source>
-        <translation>ihr Weg ändert sich nicht stärker als sein Rauschen; ihre Spalten sind %1</translation>
+        <source>the displacement changes no more than its noise; the columns are %1</source>
+        <translation>der Weg ändert sich nicht stärker als sein Rauschen; die Spalten sind %1</translation>
     </message>
     <message>
         <source>Give the log of a press</source>
         <translation>Die Aufzeichnung eines Drucks angeben</translation>
     </message>
     <message>
-        <source>press and release are sorted by displacement into one, and cannot be told apart</source>
-        <translation>Drücken und Loslassen sind nach dem Weg ineinander sortiert und nicht zu unterscheiden</translation>
+        <source>press and release are mixed, sorted by displacement, and cannot be separated</source>
+        <translation>Hinweg und Rückweg sind nach dem Weg durcheinander sortiert und lassen sich nicht trennen</translation>
     </message>
     <message>
         <source>Export the points in the order travelled, or each stroke as a column of its own</source>
         <translation>Die Punkte in der Reihenfolge der Messung exportieren, oder jeden Hub in einer eigenen Spalte</translation>
     </message>
     <message>
-        <source>it holds a release stroke but no press</source>
-        <translation>sie enthält ein Loslassen, aber kein Drücken</translation>
+        <source>there is a release stroke but no press</source>
+        <translation>es gibt einen Rückweg, aber keinen Hinweg</translation>
     </message>
     <message>
-        <source>Else record the press too</source>
-        <translation>Sonst auch das Drücken aufzeichnen</translation>
+        <source>If it is a release, record the press too</source>
+        <translation>Wenn es ein Rückweg ist, zeichnen Sie auch den Hinweg auf</translation>
     </message>
 </context>
 <context>
@@ -10850,12 +10850,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ohne Angabe eines Grundes</translation>
     </message>
     <message>
-        <source>Open it in a viewer and print or export it again, or import a picture of the page</source>
-        <translation>Öffnen Sie sie in einem Betrachter, und drucken oder exportieren Sie sie noch einmal, oder importieren Sie ein Bild der Seite</translation>
+        <source>Open the file in a viewer and print or export it again, or import a picture of the page</source>
+        <translation>Öffnen Sie die Datei in einem Betrachter, und drucken oder exportieren Sie sie noch einmal, oder importieren Sie ein Bild der Seite</translation>
     </message>
     <message>
-        <source>there is no memory to open it</source>
-        <translation>der Speicher reicht nicht aus, sie zu öffnen</translation>
+        <source>there is not enough memory to open the file</source>
+        <translation>der Speicher reicht nicht aus, um die Datei zu öffnen</translation>
     </message>
     <message>
         <source>Close other programs and try again</source>
@@ -10894,28 +10894,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Exportieren Sie die Seite als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
     <message>
-        <source>its drawing has more than the limit of %1 points</source>
-        <translation>die Zeichnung hat mehr Punkte als die Grenze von %1</translation>
+        <source>the drawing has too many points (the limit is %1)</source>
+        <translation>die Zeichnung hat zu viele Punkte (die Grenze ist %1)</translation>
     </message>
     <message>
-        <source>it draws more objects than any real page does</source>
-        <translation>sie zeichnet mehr Objekte als jede wirkliche Seite</translation>
+        <source>the page has too many objects</source>
+        <translation>die Seite hat zu viele Objekte</translation>
     </message>
     <message>
-        <source>it takes too long to draw</source>
-        <translation>es dauert zu lange, sie zu zeichnen</translation>
+        <source>the page takes too long to draw</source>
+        <translation>es dauert zu lange, die Seite zu zeichnen</translation>
     </message>
     <message>
-        <source>it takes too long to interpret</source>
-        <translation>es dauert zu lange, sie zu lesen</translation>
+        <source>the page takes too long to interpret</source>
+        <translation>es dauert zu lange, die Seite zu lesen</translation>
     </message>
     <message>
-        <source>an image on it claims %1 x %2 pixels, which is more than the limit</source>
-        <translation>ein Bild darauf gibt %1 × %2 Pixel an, mehr als die Grenze</translation>
+        <source>an image on the page claims %1 x %2 pixels, which is more than the limit</source>
+        <translation>ein Bild auf der Seite gibt %1 × %2 Pixel an, mehr als die Grenze</translation>
     </message>
     <message>
-        <source>it needs more memory than allowed</source>
-        <translation>sie braucht mehr Speicher als erlaubt</translation>
+        <source>the page needs more memory than allowed</source>
+        <translation>die Seite braucht mehr Speicher als erlaubt</translation>
     </message>
     <message>
         <source>the region lies outside the page</source>
@@ -10929,8 +10929,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::PictureSource</name>
     <message>
-        <source>the GIF picture is damaged, or a film of several pictures</source>
-        <translation>das GIF-Bild ist beschädigt oder eine Animation aus mehreren Bildern</translation>
+        <source>the GIF picture is damaged or animated</source>
+        <translation>das GIF-Bild ist beschädigt oder animiert</translation>
     </message>
     <message>
         <source>Save the picture that shows the whole graph as PNG and import that</source>
@@ -10956,12 +10956,12 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::importer::SvgSource</name>
     <message>
-        <source>%1 parts are not drawn that lie in other files or are HTML</source>
-        <translation>%1 Teile, die in anderen Dateien liegen oder HTML sind, werden nicht gezeichnet</translation>
+        <source>%1 parts are not drawn, because they are HTML or lie in other files</source>
+        <translation>%1 Teile werden nicht gezeichnet, weil sie HTML sind oder in anderen Dateien liegen</translation>
     </message>
     <message>
-        <source>no font has the letters %1, and boxes stand for them</source>
-        <translation>keine Schrift hat die Zeichen %1; Kästchen stehen dafür</translation>
+        <source>no installed font has the letters %1; boxes are drawn instead</source>
+        <translation>keine installierte Schrift hat die Zeichen %1; stattdessen sind Kästchen gezeichnet</translation>
     </message>
     <message>
         <source>the SVG cannot be drawn: %1</source>
@@ -10996,16 +10996,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Andere Programme schließen und noch einmal versuchen</translation>
     </message>
     <message>
-        <source>it takes too long to draw</source>
-        <translation>das Zeichnen dauert zu lange</translation>
+        <source>the drawing takes too long to draw</source>
+        <translation>es dauert zu lange, die Zeichnung zu zeichnen</translation>
     </message>
     <message>
-        <source>it draws more than any real drawing does</source>
-        <translation>sie zeichnet mehr als jede echte Zeichnung</translation>
+        <source>the drawing has too many objects</source>
+        <translation>die Zeichnung hat zu viele Objekte</translation>
     </message>
     <message>
-        <source>it needs more memory than allowed, or breaks the program that draws it</source>
-        <translation>sie braucht mehr Speicher als erlaubt oder beendet das Programm, das sie zeichnet</translation>
+        <source>the drawing needs more memory than allowed, or crashes the program that draws it</source>
+        <translation>die Zeichnung braucht mehr Speicher als erlaubt oder bringt das Programm zum Absturz, das sie zeichnet</translation>
     </message>
     <message>
         <source>Export the drawing as a PDF or as a picture of at least 300 dpi and import that</source>
@@ -11034,36 +11034,36 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>wie fest man drücken muss</translation>
     </message>
     <message>
-        <source>how far it seems to yield</source>
+        <source>how far it seems to give way</source>
         <translation>wie weit er nachzugeben scheint</translation>
     </message>
     <message>
-        <source>hardly an error in 90</source>
-        <translation>kaum ein Fehler in 90 Durchgängen</translation>
+        <source>almost no errors in 90 trials</source>
+        <translation>fast keine Fehler in 90 Durchgängen</translation>
     </message>
     <message>
-        <source>about %1 errors in 90</source>
+        <source>about %1 errors in 90 trials</source>
         <translation>etwa %1 Fehler in 90 Durchgängen</translation>
     </message>
     <message>
-        <source>%1 to %2 errors in 90</source>
+        <source>%1 to %2 errors in 90 trials</source>
         <translation>%1 bis %2 Fehler in 90 Durchgängen</translation>
     </message>
     <message>
-        <source>people tell these apart: %1</source>
-        <translation>Menschen unterscheiden diese: %1</translation>
+        <source>people can tell these apart: %1</source>
+        <translation>Menschen können diese unterscheiden: %1</translation>
     </message>
     <message>
-        <source>people do not tell these apart: %1</source>
-        <translation>Menschen unterscheiden diese nicht: %1</translation>
+        <source>people cannot tell these apart: %1</source>
+        <translation>Menschen können diese nicht unterscheiden: %1</translation>
     </message>
     <message>
-        <source>people probably tell these apart (%1): %2</source>
-        <translation>Menschen unterscheiden diese wahrscheinlich (%1): %2</translation>
+        <source>people can probably tell these apart (%1): %2</source>
+        <translation>Menschen können diese wahrscheinlich unterscheiden (%1): %2</translation>
     </message>
     <message>
-        <source>people probably do not tell these apart (%1): %2</source>
-        <translation>Menschen unterscheiden diese wahrscheinlich nicht (%1): %2</translation>
+        <source>people probably cannot tell these apart (%1): %2</source>
+        <translation>Menschen können diese wahrscheinlich nicht unterscheiden (%1): %2</translation>
     </message>
     <message>
         <source>told apart: %1</source>
@@ -11086,12 +11086,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>nichts unterscheidet sich</translation>
     </message>
     <message>
-        <source>most differs on the press: %1</source>
-        <translation>am meisten verschieden auf dem Hinweg: %1</translation>
+        <source>the largest difference is on the press: %1</source>
+        <translation>der größte Unterschied liegt auf dem Hinweg: %1</translation>
     </message>
     <message>
-        <source>most differs on the release: %1</source>
-        <translation>am meisten verschieden auf dem Rückweg: %1</translation>
+        <source>the largest difference is on the release: %1</source>
+        <translation>der größte Unterschied liegt auf dem Rückweg: %1</translation>
     </message>
     <message>
         <source>is not UTF-8</source>
@@ -11106,8 +11106,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist leer</translation>
     </message>
     <message>
-        <source>Write what participants are to agree to</source>
-        <translation>Schreiben, worin die Versuchspersonen einwilligen</translation>
+        <source>Write the text that participants are asked to agree to</source>
+        <translation>Schreiben Sie den Text, in den die Versuchspersonen einwilligen sollen</translation>
     </message>
     <message>
         <source>gives two texts for %1</source>
@@ -11126,40 +11126,40 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>hat schon Antworten einer Person</translation>
     </message>
     <message>
-        <source>Give another id</source>
-        <translation>Eine andere Kennung eingeben</translation>
+        <source>Give another participant id</source>
+        <translation>Eine andere Kennung der Versuchsperson eingeben</translation>
     </message>
     <message>
-        <source>has used the condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
-        <translation>hatte bisher die Bedingung „%1“, nicht „%2“</translation>
+        <source>has used the listening condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
+        <translation>hatte bisher die Hörbedingung „%1“, nicht „%2“</translation>
     </message>
     <message>
-        <source>Go on in the same condition, or give another id</source>
-        <translation>In derselben Bedingung weitermachen oder eine andere Kennung eingeben</translation>
+        <source>Go on in the same condition, or give another participant id</source>
+        <translation>In derselben Bedingung weitermachen oder eine andere Kennung der Versuchsperson eingeben</translation>
     </message>
     <message>
         <source>is too similar to &quot;%1&quot;, who is already in the study</source>
         <translation>ist „%1“ zu ähnlich, die schon in der Studie ist</translation>
     </message>
     <message>
-        <source>Give an id that is read out differently</source>
-        <translation>Eine Kennung eingeben, die anders klingt</translation>
+        <source>Give an id that sounds different when read aloud</source>
+        <translation>Eine Kennung eingeben, die vorgelesen anders klingt</translation>
     </message>
     <message>
         <source>%1 lies outside %2 to %3</source>
         <translation>%1 liegt nicht zwischen %2 und %3</translation>
     </message>
     <message>
-        <source>Give a number inside</source>
-        <translation>Eine Zahl dazwischen eingeben</translation>
+        <source>Give a number inside this range</source>
+        <translation>Geben Sie eine Zahl in diesem Bereich ein</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; (%2) feels the same with more of &quot;%3&quot;</source>
-        <translation>„%1“ (%2) fühlt sich gleich an, wenn „%3“ erhöht wird</translation>
+        <source>in &quot;%1&quot; (%2), more of &quot;%3&quot; makes no difference to the feel</source>
+        <translation>bei „%1“ (%2) ändert mehr „%3“ nichts am Gefühl</translation>
     </message>
     <message>
-        <source>Choose another quantity, mode, button or feel</source>
-        <translation>Eine andere Größe, Rückmeldung oder einen anderen Taster wählen</translation>
+        <source>Choose another quantity, mode, button or kind of feel</source>
+        <translation>Eine andere Größe, Art, einen anderen Taster oder ein anderes Gefühl wählen</translation>
     </message>
     <message>
         <source>has a name that is not UTF-8</source>
@@ -11170,8 +11170,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Datei umbenennen</translation>
     </message>
     <message>
-        <source>is the second button called &quot;%1&quot;</source>
-        <translation>ist der zweite Taster namens „%1“</translation>
+        <source>is the second button with the name &quot;%1&quot;</source>
+        <translation>ist der zweite Taster mit dem Namen „%1“</translation>
     </message>
     <message>
         <source>Rename one of the files</source>
@@ -11182,40 +11182,40 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>„%1“ ist keine Kennung</translation>
     </message>
     <message>
-        <source>Give 1 to %1 letters, digits, - or _, such as P01; no name of a person</source>
-        <translation>1 bis %1 Buchstaben, Ziffern, - oder _ eingeben, etwa P01; keinen Namen einer Person</translation>
+        <source>Give 1 to %1 letters, digits, - or _, such as P01, but no name of a person</source>
+        <translation>1 bis %1 Buchstaben, Ziffern, - oder _ eingeben, etwa P01, aber keinen Personennamen</translation>
     </message>
     <message>
-        <source>none, too many, one twice or outside %1 to %2 s</source>
-        <translation>es gibt keines oder zu viele, eines ist doppelt, oder eines liegt nicht zwischen %1 und %2 s</translation>
+        <source>no time is given, too many, the same one twice, or one outside %1 to %2 s</source>
+        <translation>keine Zeit ist angegeben, zu viele, dieselbe zweimal oder eine außerhalb von %1 bis %2 s</translation>
     </message>
     <message>
-        <source>Give 1 to %1 of them</source>
-        <translation>1 bis %1 davon eingeben</translation>
+        <source>Give 1 to %1 different times</source>
+        <translation>Geben Sie 1 bis %1 verschiedene Zeiten an</translation>
     </message>
     <message>
-        <source>none, too many, one twice, outside %1 to %2 s, or as long as an interval</source>
-        <translation>es gibt keines oder zu viele, eines ist doppelt, liegt nicht zwischen %1 und %2 s oder ist so lang wie ein Intervall</translation>
+        <source>no time is given, too many, the same one twice, one outside %1 to %2 s, or one as long as an interval</source>
+        <translation>keine Zeit ist angegeben, zu viele, dieselbe zweimal, eine außerhalb von %1 bis %2 s oder eine so lang wie ein Intervall</translation>
     </message>
     <message>
-        <source>Give 1 to %1, each shorter than the shortest interval</source>
-        <translation>1 bis %1 eingeben, jedes kürzer als das kürzeste Intervall</translation>
+        <source>Give 1 to %1 times, each shorter than the shortest interval</source>
+        <translation>Geben Sie 1 bis %1 Zeiten an, jede kürzer als das kürzeste Intervall</translation>
     </message>
     <message>
         <source>has no button</source>
         <translation>hat keinen Taster</translation>
     </message>
     <message>
-        <source>Give at least one</source>
-        <translation>Mindestens einen wählen</translation>
+        <source>Give at least one button</source>
+        <translation>Geben Sie mindestens einen Taster an</translation>
     </message>
     <message>
         <source>has 1 button</source>
         <translation>hat 1 Taster</translation>
     </message>
     <message>
-        <source>Give at least two</source>
-        <translation>Mindestens zwei wählen</translation>
+        <source>Give at least two buttons</source>
+        <translation>Geben Sie mindestens zwei Taster an</translation>
     </message>
     <message>
         <source>has %1 buttons</source>
@@ -11226,28 +11226,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Höchstens %1 wählen</translation>
     </message>
     <message>
-        <source>has no meaning in a study without pairs</source>
-        <translation>hat in einer Studie ohne Paare keine Bedeutung</translation>
+        <source>cannot be used in a study without pairs</source>
+        <translation>lässt sich in einer Studie ohne Paare nicht verwenden</translation>
     </message>
     <message>
-        <source>Leave it out</source>
-        <translation>Weglassen</translation>
+        <source>Leave this option out</source>
+        <translation>Lassen Sie diese Option weg</translation>
     </message>
     <message>
-        <source>%1 of %2 pairs</source>
-        <translation>%1 von %2 Paaren</translation>
+        <source>asks for %1 of %2 pairs</source>
+        <translation>verlangt %1 von %2 Paaren</translation>
     </message>
     <message>
-        <source>Give fewer, or 0 for all</source>
-        <translation>Weniger eingeben, oder 0 für alle</translation>
+        <source>Give fewer pairs, or 0 for all pairs</source>
+        <translation>Geben Sie weniger Paare an, oder 0 für alle Paare</translation>
     </message>
     <message>
-        <source>none, or one twice</source>
-        <translation>es gibt keine, oder eine ist doppelt</translation>
+        <source>no mode is given, or the same one twice</source>
+        <translation>keine Art ist angegeben, oder dieselbe zweimal</translation>
     </message>
     <message>
-        <source>Choose at least one, each at most once</source>
-        <translation>Mindestens eine wählen, jede höchstens einmal</translation>
+        <source>Choose at least one mode, each only once</source>
+        <translation>Wählen Sie mindestens eine Art, jede nur einmal</translation>
     </message>
     <message>
         <source>&quot;off&quot; cannot be felt</source>
@@ -11282,11 +11282,11 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>has no room for a tenth more of &quot;%1&quot;</source>
-        <translation>lässt ein Zehntel mehr „%1“ nicht zu</translation>
+        <source>leaves no room to increase &quot;%1&quot; by a tenth</source>
+        <translation>lässt keinen Raum, „%1“ um ein Zehntel zu erhöhen</translation>
     </message>
     <message>
-        <source>Choose another quantity, or a button with less of it</source>
+        <source>Choose another quantity, or a button that has less of this one</source>
         <translation>Eine andere Größe wählen, oder einen Taster mit weniger davon</translation>
     </message>
     <message>
@@ -11294,32 +11294,32 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>See `detent-play devices` for what is there</source>
-        <translation>Was da ist, zeigt `detent-play devices`</translation>
+        <source>Run `detent-play devices` to see what is connected</source>
+        <translation>`detent-play devices` zeigt, was angeschlossen ist</translation>
     </message>
     <message>
-        <source>no sound output is there</source>
+        <source>no sound output was found</source>
         <translation>es wurde kein Tonausgang gefunden</translation>
     </message>
     <message>
-        <source>no sound input is there</source>
+        <source>no sound input was found</source>
         <translation>es wurde kein Toneingang gefunden</translation>
     </message>
     <message>
-        <source>Connect one, or start a JACK server</source>
-        <translation>Schließen Sie einen an oder starten Sie einen JACK-Server</translation>
+        <source>Connect a sound device, or start a JACK server</source>
+        <translation>Schließen Sie ein Audiogerät an, oder starten Sie einen JACK-Server</translation>
     </message>
     <message>
-        <source>is not an output of this machine</source>
-        <translation>ist kein Ausgang dieses Rechners</translation>
+        <source>is not a sound output of this computer</source>
+        <translation>ist kein Tonausgang dieses Rechners</translation>
     </message>
     <message>
-        <source>is not an input of this machine</source>
-        <translation>ist kein Eingang dieses Rechners</translation>
+        <source>is not a sound input of this computer</source>
+        <translation>ist kein Toneingang dieses Rechners</translation>
     </message>
     <message>
-        <source>See `detent-play devices`</source>
-        <translation>Siehe `detent-play devices`</translation>
+        <source>Run `detent-play devices` for a list</source>
+        <translation>`detent-play devices` zeigt eine Liste</translation>
     </message>
     <message>
         <source>names several devices: %1</source>
@@ -11346,20 +11346,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Prüfen Sie das Gerät und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>has no firmware since it was switched on</source>
-        <translation>hat seit dem Einschalten keine Firmware</translation>
+        <source>was switched on and has no firmware yet</source>
+        <translation>wurde eingeschaltet und hat noch keine Firmware</translation>
     </message>
     <message>
         <source>Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)</source>
         <translation>Nennen Sie seine Firmware-Datei mit --firmware DATEI (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
-        <source>does not take the firmware; tried %1 times</source>
+        <source>does not accept the firmware; tried %1 times</source>
         <translation>nimmt die Firmware nicht an; %1-mal versucht</translation>
     </message>
     <message>
-        <source>Switch its power off and on, leave out hubs, and try again</source>
-        <translation>Schalten Sie es aus und wieder ein, lassen Sie Hubs weg und versuchen Sie es noch einmal</translation>
+        <source>Switch the device off and on, connect it without a hub, and try again</source>
+        <translation>Schalten Sie das Gerät aus und wieder ein, schließen Sie es ohne Hub an, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
         <source>Name the firmware file that came with the Falcon&apos;s driver (docs/guide/force-feedback.md)</source>
@@ -11370,24 +11370,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann nicht gelesen werden (%1)</translation>
     </message>
     <message>
-        <source>is no firmware of a Falcon: it is too large</source>
-        <translation>ist keine Firmware eines Falcon: Sie ist zu groß</translation>
+        <source>is not Falcon firmware: the file is too large</source>
+        <translation>ist keine Firmware eines Falcon: Die Datei ist zu groß</translation>
     </message>
     <message>
         <source>cannot be read</source>
         <translation>kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>is no firmware of a Falcon: it is no boot image of its processor</source>
+        <source>is not Falcon firmware: it is not a boot image of its processor</source>
         <translation>ist keine Firmware eines Falcon: Sie ist kein Startabbild seines Prozessors</translation>
     </message>
     <message>
-        <source>may not be used by you</source>
+        <source>cannot be used without permission</source>
         <translation>lässt sich nicht öffnen: Ihnen fehlt die Berechtigung</translation>
     </message>
     <message>
-        <source>Give yourself the right by a udev rule (docs/guide/force-feedback.md), then plug it in again</source>
-        <translation>Erlauben Sie sich den Zugriff mit einer udev-Regel (docs/guide/force-feedback.md), und stecken Sie es neu ein</translation>
+        <source>Give yourself the permission with a udev rule (docs/guide/force-feedback.md), then plug the device in again</source>
+        <translation>Erlauben Sie sich den Zugriff mit einer udev-Regel (docs/guide/force-feedback.md), und stecken Sie das Gerät neu ein</translation>
     </message>
     <message>
         <source>is in use by another program</source>
@@ -11402,8 +11402,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann nicht geöffnet werden (%1)</translation>
     </message>
     <message>
-        <source>Unplug it, switch its power off and on, plug it in again</source>
-        <translation>Ziehen Sie es ab, schalten Sie es aus und wieder ein und stecken Sie es neu ein</translation>
+        <source>Unplug the device, switch its power off and on, plug it in again</source>
+        <translation>Ziehen Sie das Gerät ab, schalten Sie es aus und wieder ein, und stecken Sie es neu ein</translation>
     </message>
     <message>
         <source>is not part of this build</source>
@@ -11414,23 +11414,23 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Bauen Sie mit libusb-1.0-0-dev und -DDETENT_WITH_FALCON=ON</translation>
     </message>
     <message>
-        <source>holds the force of one speed, and this button has graphs at %1</source>
-        <translation>fasst die Kraft einer Geschwindigkeit, und dieser Taster hat Graphen bei %1</translation>
+        <source>can hold the force of only one speed; this button has graphs at %1 speeds</source>
+        <translation>fasst die Kraft nur einer Geschwindigkeit; dieser Taster hat Graphen bei %1 Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>Leave the upload out: the host runs the law; or upload the button of one speed, which detent-graph convert --speed V writes</source>
-        <translation>Lassen Sie das Übertragen weg: Dann rechnet dieser Rechner die Kraft; oder übertragen Sie den Taster einer Geschwindigkeit, den detent-graph convert --speed V schreibt</translation>
+        <source>Do not upload, so that this computer computes the force. Or upload a button with one speed, which detent-graph convert --speed V writes</source>
+        <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft berechnet. Oder übertragen Sie einen Taster mit einer Geschwindigkeit, den detent-graph convert --speed V schreibt</translation>
     </message>
     <message>
-        <source>runs one state only, and this button has %1</source>
-        <translation>führt nur einen Zustand aus, und dieser Taster hat %1</translation>
+        <source>can run only one state; this button has %1</source>
+        <translation>führt nur einen Zustand aus; dieser Taster hat %1</translation>
     </message>
     <message>
-        <source>Leave the upload out: the host runs self-locking buttons</source>
-        <translation>Lassen Sie das Übertragen weg: Rastende Taster rechnet dieser Rechner</translation>
+        <source>Do not upload, so that this computer computes the force of self-locking buttons</source>
+        <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft rastender Taster berechnet</translation>
     </message>
     <message>
-        <source>cannot be listened on (%1)</source>
+        <source>cannot be opened to receive messages (%1)</source>
         <translation>lässt sich nicht zum Empfangen öffnen (%1)</translation>
     </message>
     <message>
@@ -11446,7 +11446,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein solches simuliertes Gerät gibt es nicht</translation>
     </message>
     <message>
-        <source>N counts Falcons from 0</source>
+        <source>N counts the Falcons, starting with 0</source>
         <translation>N zählt die Falcons ab 0</translation>
     </message>
     <message>
@@ -11458,67 +11458,67 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Anschluss fehlt, zum Beispiel %1:/dev/ttyACM0</translation>
     </message>
     <message>
-        <source>the place is not a number</source>
-        <translation>die Stelle ist keine Zahl</translation>
+        <source>the position is not a number</source>
+        <translation>die Position ist keine Zahl</translation>
     </message>
     <message>
-        <source>Give it in mm with a point, for example hold=1.25</source>
-        <translation>Geben Sie sie in mm mit einem Punkt an, zum Beispiel hold=1.25</translation>
+        <source>Give the position in mm with a point, for example hold=1.25</source>
+        <translation>Geben Sie die Position in mm mit einem Punkt an, zum Beispiel hold=1.25</translation>
     </message>
     <message>
-        <source>the place lies more than 1 mm outside the travel of %1</source>
-        <translation>die Stelle liegt mehr als 1 mm außerhalb des Wegs von %1</translation>
+        <source>the position lies more than 1 mm outside the travel of %1</source>
+        <translation>die Position liegt mehr als 1 mm außerhalb des Wegs von %1</translation>
     </message>
     <message>
-        <source>Give one inside the travel</source>
-        <translation>Geben Sie eine innerhalb des Wegs an</translation>
+        <source>Give a position inside the travel</source>
+        <translation>Geben Sie eine Position innerhalb des Wegs an</translation>
     </message>
     <message>
-        <source>the trace has no reading that is a number</source>
-        <translation>der Verlauf hat keinen Messwert, der eine Zahl ist</translation>
+        <source>no reading of the press trace is a number</source>
+        <translation>kein Messwert des Druckverlaufs ist eine Zahl</translation>
     </message>
     <message>
-        <source>Give a press trace with finite values</source>
-        <translation>Geben Sie einen Betätigungsverlauf mit endlichen Werten an</translation>
+        <source>Give a press trace with usable numbers</source>
+        <translation>Geben Sie einen Betätigungsverlauf mit brauchbaren Zahlen an</translation>
     </message>
     <message>
-        <source>answers after %1 ms: the force would act %2 ms late, where %3 N/mm is the steepest that is steady; this button needs %4 N/mm</source>
-        <translation>antwortet nach %1 ms: Die Kraft käme %2 ms zu spät, und stabil sind dann höchstens %3 N/mm; dieser Taster braucht %4 N/mm</translation>
+        <source>answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to %3 N/mm are stable; this button needs %4 N/mm</source>
+        <translation>antwortet nach %1 ms, die Kraft wirkt daher %2 ms zu spät. Mit dieser Verzögerung sind Steigungen bis %3 N/mm stabil; dieser Taster braucht %4 N/mm</translation>
     </message>
     <message>
-        <source>does not take limits for a slow link</source>
-        <translation>nimmt keine Grenzen für eine langsame Verbindung an</translation>
+        <source>does not accept the limits for a slow connection</source>
+        <translation>nimmt die Grenzen für eine langsame Verbindung nicht an</translation>
     </message>
     <message>
-        <source>Check that the firmware speaks docs/reference/force-protocol.md</source>
-        <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md spricht</translation>
+        <source>Check that the firmware follows docs/reference/force-protocol.md</source>
+        <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md befolgt</translation>
     </message>
     <message>
         <source>sample %1</source>
         <translation>Wert %1</translation>
     </message>
     <message>
-        <source>its force is %1</source>
-        <translation>seine Kraft ist %1</translation>
+        <source>the force is %1</source>
+        <translation>die Kraft ist %1</translation>
     </message>
     <message>
-        <source>its displacement is %1</source>
-        <translation>sein Weg ist %1</translation>
+        <source>the displacement is %1</source>
+        <translation>der Weg ist %1</translation>
     </message>
     <message>
-        <source>moves %1 in all, in steps of %2: too few of them</source>
-        <translation>bewegt sich insgesamt nur um %1, in Schritten von %2, die zu grob sind</translation>
+        <source>moves only %1 in steps of %2: too few steps</source>
+        <translation>bewegt sich nur um %1 in Schritten von %2: zu wenige Schritte</translation>
     </message>
     <message>
-        <source>%1 cannot hold this press: its strongest sample is %2 of full scale, and nothing would sound</source>
-        <translation>%1 kann diese Betätigung nicht fassen: Der stärkste Wert ist %2 der Vollaussteuerung, und nichts wäre zu spüren</translation>
+        <source>%1 cannot hold this press: its strongest sample is only %2 of full scale, so nothing would be felt</source>
+        <translation>%1 kann diese Betätigung nicht fassen: Der stärkste Wert ist nur %2 der Vollaussteuerung, es wäre also nichts zu fühlen</translation>
     </message>
     <message>
-        <source>Press deeper, raise the gain of the device profile, or choose package, which holds any press</source>
-        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils oder wählen Sie package, das jede Betätigung fasst</translation>
+        <source>Press deeper, raise the gain of the device profile, or choose the format package, which holds any press</source>
+        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils, oder wählen Sie das Format package, das jede Betätigung fasst</translation>
     </message>
     <message>
-        <source>%1 bits are no format of samples here</source>
+        <source>samples of %1 bits are not supported</source>
         <translation>%1 Bit je Wert werden nicht unterstützt</translation>
     </message>
     <message>
@@ -11526,24 +11526,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie 8 oder 16 an</translation>
     </message>
     <message>
-        <source>%1 samples a second are no rate of samples here</source>
+        <source>a rate of %1 samples a second is not supported</source>
         <translation>%1 Werte je Sekunde werden nicht unterstützt</translation>
     </message>
     <message>
-        <source>Give 8000 to 192000</source>
-        <translation>Geben Sie 8000 bis 192000 an</translation>
+        <source>Give a rate from 8000 to 192000</source>
+        <translation>Geben Sie eine Rate von 8000 bis 192000 an</translation>
     </message>
     <message>
-        <source>nothing of the button is felt under this press: %1 of its %2 readings are no numbers, out of range or not in the order of their times</source>
-        <translation>bei dieser Betätigung ist vom Taster nichts zu fühlen: %1 ihrer %2 Messwerte sind keine Zahlen, außerhalb des Bereichs oder nicht in zeitlicher Folge</translation>
+        <source>this press produces no vibration: %1 of its %2 readings are not numbers, out of range or out of order</source>
+        <translation>diese Betätigung erzeugt keine Vibration: %1 ihrer %2 Messwerte sind keine Zahlen, außerhalb des Bereichs oder nicht in der Reihenfolge</translation>
     </message>
     <message>
         <source>Correct these readings</source>
         <translation>Berichtigen Sie diese Messwerte</translation>
     </message>
     <message>
-        <source>nothing of the button is felt under this press</source>
-        <translation>bei dieser Betätigung ist vom Taster nichts zu fühlen</translation>
+        <source>this press produces no vibration</source>
+        <translation>diese Betätigung erzeugt keine Vibration</translation>
     </message>
     <message>
         <source>Press harder or deeper, or choose a mode that plays something</source>
@@ -11562,8 +11562,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Parameterkurve %1 wird weggelassen</translation>
     </message>
     <message>
-        <source>lies before the control point it follows</source>
-        <translation>liegt vor dem Stützpunkt, auf den er folgt</translation>
+        <source>lies before the previous control point</source>
+        <translation>liegt vor dem vorigen Stützpunkt</translation>
     </message>
     <message>
         <source>Sort the curve&apos;s points by time</source>
@@ -11582,43 +11582,43 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Ereignisparameter %1 wird weggelassen</translation>
     </message>
     <message>
-        <source>is %1: another version of AHAP than 1</source>
-        <translation>ist %1: eine andere Version von AHAP als 1</translation>
+        <source>is %1, but only version 1 of AHAP can be read</source>
+        <translation>ist %1, lesbar ist aber nur Version 1 von AHAP</translation>
     </message>
     <message>
-        <source>Export it as version 1</source>
-        <translation>Exportieren Sie es als Version 1</translation>
+        <source>Export the file as version 1</source>
+        <translation>Exportieren Sie die Datei als Version 1</translation>
     </message>
     <message>
-        <source>lies before the point it follows</source>
-        <translation>liegt vor dem Punkt, auf den er folgt</translation>
+        <source>lies before the previous point</source>
+        <translation>liegt vor dem vorigen Punkt</translation>
     </message>
     <message>
         <source>Sort the points by time</source>
         <translation>Ordnen Sie die Punkte nach der Zeit</translation>
     </message>
     <message>
-        <source>is %1: another version of .haptic than 1</source>
-        <translation>ist %1: eine andere Version von .haptic als 1</translation>
+        <source>is %1, but only version 1 of .haptic can be read</source>
+        <translation>ist %1, lesbar ist aber nur Version 1 von .haptic</translation>
     </message>
     <message>
-        <source>Export it again as version 1</source>
-        <translation>Exportieren Sie es neu als Version 1</translation>
+        <source>Export the file again as version 1</source>
+        <translation>Exportieren Sie die Datei neu als Version 1</translation>
     </message>
     <message>
-        <source>is weaker than the point it stands on</source>
-        <translation>ist schwächer als der Punkt, auf dem es steht</translation>
+        <source>is weaker than the point that it emphasizes</source>
+        <translation>ist schwächer als der Punkt, den sie betont</translation>
     </message>
     <message>
-        <source>Give it at least that point&apos;s amplitude</source>
-        <translation>Geben Sie ihm mindestens die Amplitude dieses Punkts</translation>
+        <source>Give it at least the amplitude of this point</source>
+        <translation>Geben Sie ihr mindestens die Amplitude dieses Punkts</translation>
     </message>
     <message>
         <source>holds no point</source>
         <translation>enthält keinen Punkt</translation>
     </message>
     <message>
-        <source>is %1, which is no base signal</source>
+        <source>is %1, which is not a base signal</source>
         <translation>ist %1, was kein Grundsignal ist</translation>
     </message>
     <message>
@@ -11626,19 +11626,19 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie Sine, Square, Triangle, SawToothUp oder SawToothDown an</translation>
     </message>
     <message>
-        <source>lies before the keyframe it follows</source>
-        <translation>liegt vor dem Schlüsselbild, auf das es folgt</translation>
+        <source>lies before the previous keyframe</source>
+        <translation>liegt vor dem vorigen Schlüsselbild</translation>
     </message>
     <message>
         <source>Sort the keyframes by relative_position</source>
         <translation>Ordnen Sie die Schlüsselbilder nach relative_position</translation>
     </message>
     <message>
-        <source>bands of wavelets are left out</source>
-        <translation>Bänder aus Wavelets werden weggelassen</translation>
+        <source>wavelet bands are left out</source>
+        <translation>Wavelet-Bänder werden weggelassen</translation>
     </message>
     <message>
-        <source>is %1, which is no kind of band</source>
+        <source>is %1, which is not a kind of band</source>
         <translation>ist %1, was keine Art von Band ist</translation>
     </message>
     <message>
@@ -11654,40 +11654,40 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Effekte der Art %1 werden weggelassen</translation>
     </message>
     <message>
-        <source>names no effect of the effect_library</source>
-        <translation>nennt keinen Effekt der effect_library</translation>
+        <source>names an effect that is not in the effect_library</source>
+        <translation>nennt einen Effekt, der nicht in der effect_library steht</translation>
     </message>
     <message>
-        <source>Add the effect there</source>
-        <translation>Fügen Sie den Effekt dort ein</translation>
+        <source>Add the effect to the effect_library</source>
+        <translation>Fügen Sie den Effekt in die effect_library ein</translation>
     </message>
     <message>
-        <source>its version is 1, a draft&apos;s; it is played as the edition of 2023</source>
-        <translation>ihre Version ist 1, die eines Entwurfs; sie wird wie die Ausgabe von 2023 gespielt</translation>
+        <source>the file has the draft version 1; it is played as the edition of 2023</source>
+        <translation>die Datei hat die Entwurfsversion 1; sie wird wie die Ausgabe von 2023 gespielt</translation>
     </message>
     <message>
-        <source>commas before a closing bracket are no JSON; they are left out</source>
+        <source>commas before a closing bracket are not valid JSON; they are ignored</source>
         <translation>Kommas vor einer schließenden Klammer sind kein gültiges JSON; sie werden ignoriert</translation>
     </message>
     <message>
-        <source>is %1: another edition than those of 2023 and 2025</source>
-        <translation>ist %1: eine andere Ausgabe als die von 2023 und 2025</translation>
+        <source>is %1, but only the editions of 2023 and 2025 can be read</source>
+        <translation>ist %1, lesbar sind aber nur die Ausgaben von 2023 und 2025</translation>
     </message>
     <message>
-        <source>Export it for one of these</source>
-        <translation>Exportieren Sie es für eine von diesen</translation>
+        <source>Export the file for one of these editions</source>
+        <translation>Exportieren Sie die Datei für eine dieser Ausgaben</translation>
     </message>
     <message>
         <source>%1 channels are played together</source>
         <translation>%1 Kanäle werden zusammen wiedergegeben</translation>
     </message>
     <message>
-        <source>it passes full scale by a factor of %1 and is turned down</source>
-        <translation>es überschreitet die Vollaussteuerung um den Faktor %1 und wird abgeschwächt</translation>
+        <source>the signal exceeds full scale by a factor of %1 and is turned down</source>
+        <translation>das Signal überschreitet die Vollaussteuerung um den Faktor %1 und wird abgeschwächt</translation>
     </message>
     <message>
-        <source>holds nothing that sounds</source>
-        <translation>enthält nichts, was zu spüren wäre</translation>
+        <source>contains nothing to play</source>
+        <translation>enthält nichts zum Abspielen</translation>
     </message>
     <message>
         <source>Give a file with events</source>
@@ -11698,31 +11698,31 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>dauert %1 s</translation>
     </message>
     <message>
-        <source>Give one of at most %1 s</source>
-        <translation>Geben Sie eine von höchstens %1 s an</translation>
+        <source>Give a file of at most %1 s</source>
+        <translation>Geben Sie eine Datei von höchstens %1 s an</translation>
     </message>
     <message>
-        <source>holds events of %1 s, one on top of another</source>
-        <translation>enthält übereinander liegende Ereignisse von zusammen %1 s</translation>
+        <source>contains events of %1 s in total, which overlap</source>
+        <translation>enthält Ereignisse von zusammen %1 s, die einander überlappen</translation>
     </message>
     <message>
-        <source>Give one whose events last %1 s together at most</source>
-        <translation>Geben Sie eine an, deren Ereignisse zusammen höchstens %1 s dauern</translation>
+        <source>Give a file whose events last at most %1 s in total</source>
+        <translation>Geben Sie eine Datei an, deren Ereignisse zusammen höchstens %1 s dauern</translation>
     </message>
     <message>
         <source>is cut off</source>
         <translation>ist abgeschnitten</translation>
     </message>
     <message>
-        <source>Export or copy it again</source>
-        <translation>Exportieren oder kopieren Sie sie neu</translation>
+        <source>Export or copy the file again</source>
+        <translation>Exportieren oder kopieren Sie die Datei neu</translation>
     </message>
     <message>
         <source>the mean of its %1 channels is played</source>
         <translation>das Mittel ihrer %1 Kanäle wird wiedergegeben</translation>
     </message>
     <message>
-        <source>is JSON, but no haptic file</source>
+        <source>is JSON, but not a haptic file</source>
         <translation>ist JSON, aber keine haptische Datei</translation>
     </message>
     <message>
@@ -11730,20 +11730,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist größer als %1 MB</translation>
     </message>
     <message>
-        <source>Give a shorter one</source>
-        <translation>Geben Sie eine kürzere an</translation>
+        <source>Give a shorter file</source>
+        <translation>Geben Sie eine kürzere Datei an</translation>
     </message>
     <message>
         <source>is not valid JSON: %1</source>
         <translation>ist kein gültiges JSON: %1</translation>
     </message>
     <message>
-        <source>Export it again: it may have been cut off</source>
-        <translation>Exportieren Sie sie neu: Sie kann abgeschnitten sein</translation>
+        <source>Export the file again: it may have been cut off</source>
+        <translation>Exportieren Sie die Datei neu: Sie kann abgeschnitten sein</translation>
     </message>
     <message>
-        <source>holds a number no double can hold: %1</source>
-        <translation>enthält eine Zahl außerhalb des darstellbaren Bereichs: %1</translation>
+        <source>holds a number that is too large: %1</source>
+        <translation>enthält eine zu große Zahl: %1</translation>
     </message>
     <message>
         <source>Correct the number</source>
@@ -11766,8 +11766,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist nicht bekannt</translation>
     </message>
     <message>
-        <source>is not one number</source>
-        <translation>ist nicht eine Zahl</translation>
+        <source>is not a single number</source>
+        <translation>ist nicht eine einzelne Zahl</translation>
     </message>
     <message>
         <source>lies outside %1 to %2</source>
@@ -11802,7 +11802,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Siehe docs/reference/device-profile.md</translation>
     </message>
     <message>
-        <source>no = in the line</source>
+        <source>the line has no =</source>
         <translation>in der Zeile fehlt „=“</translation>
     </message>
     <message>
@@ -11834,68 +11834,64 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>auf den Kopf folgt kein Messwert</translation>
     </message>
     <message>
-        <source>its times begin at %1 s</source>
-        <translation>seine Zeiten beginnen bei %1 s</translation>
+        <source>the first time is %1 s</source>
+        <translation>die erste Zeit ist %1 s</translation>
     </message>
     <message>
-        <source>Take that off all of them, so that they begin at 0</source>
-        <translation>Ziehen Sie das von allen ab, damit sie bei 0 beginnen</translation>
+        <source>Subtract this from all times, so that they begin at 0</source>
+        <translation>Ziehen Sie das von allen Zeiten ab, damit sie bei 0 beginnen</translation>
     </message>
     <message>
-        <source>longer than a week</source>
-        <translation>länger als eine Woche</translation>
+        <source>the recording is longer than a week</source>
+        <translation>die Aufzeichnung ist länger als eine Woche</translation>
     </message>
     <message>
-        <source>Cut it into parts</source>
-        <translation>Zerlegen Sie ihn in Teile</translation>
+        <source>Cut the recording into parts</source>
+        <translation>Zerlegen Sie die Aufzeichnung in Teile</translation>
     </message>
     <message>
-        <source>none of its %1 readings can be one: each is no number or out of range</source>
-        <translation>keiner seiner %1 Messwerte ist brauchbar: Jeder ist keine Zahl oder liegt außerhalb des Bereichs</translation>
+        <source>none of its %1 readings can be used: each is out of range or not a number</source>
+        <translation>keiner ihrer %1 Messwerte ist brauchbar: Jeder liegt außerhalb des Bereichs oder ist keine Zahl</translation>
     </message>
     <message>
-        <source>Give forces in N, as a finger presses</source>
-        <translation>Geben Sie Kräfte in N an, wie ein Finger drückt</translation>
+        <source>Give the forces of a pressing finger in N</source>
+        <translation>Geben Sie die Kräfte eines drückenden Fingers in N an</translation>
     </message>
     <message>
         <source>Give displacements in mm</source>
         <translation>Geben Sie Wege in mm an</translation>
     </message>
     <message>
-        <source>%1 lies outside [%2, %3]</source>
-        <translation>%1 liegt außerhalb [%2; %3]</translation>
-    </message>
-    <message>
-        <source>Give a value inside</source>
-        <translation>Geben Sie einen Wert darin an</translation>
+        <source>Give a value inside this range</source>
+        <translation>Geben Sie einen Wert in diesem Bereich an</translation>
     </message>
     <message>
         <source>sample rate in Hz</source>
         <translation>Abtastrate in Hz</translation>
     </message>
     <message>
-        <source>block</source>
-        <translation>Block</translation>
+        <source>block length in samples</source>
+        <translation>Blocklänge in Abtastwerten</translation>
     </message>
     <message>
-        <source>tail in s</source>
-        <translation>Nachlauf in s</translation>
+        <source>time after the press in s</source>
+        <translation>Zeit nach der Betätigung in s</translation>
     </message>
     <message>
-        <source>holds no reading</source>
-        <translation>enthält keinen Messwert</translation>
+        <source>contains no readings</source>
+        <translation>enthält keine Messwerte</translation>
     </message>
     <message>
-        <source>is no sound file that can be read: its header is damaged</source>
+        <source>is not a readable sound file: its header is damaged</source>
         <translation>ist keine lesbare Tondatei: Ihr Kopf ist beschädigt</translation>
     </message>
     <message>
-        <source>is no sound file that can be read: %1</source>
+        <source>is not a readable sound file: %1</source>
         <translation>ist keine lesbare Tondatei: %1</translation>
     </message>
     <message>
-        <source>Give a WAV</source>
-        <translation>Geben Sie eine WAV an</translation>
+        <source>Give a WAV file</source>
+        <translation>Geben Sie eine WAV-Datei an</translation>
     </message>
     <message>
         <source>has %1 samples a second</source>
@@ -11910,36 +11906,36 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>enthält keinen Wert</translation>
     </message>
     <message>
-        <source>Give a longer one</source>
-        <translation>Geben Sie eine längere an</translation>
+        <source>Give a longer file</source>
+        <translation>Geben Sie eine längere Datei an</translation>
     </message>
     <message>
-        <source>Export it again</source>
-        <translation>Exportieren Sie sie neu</translation>
+        <source>Export the file again</source>
+        <translation>Exportieren Sie die Datei neu</translation>
     </message>
     <message>
-        <source>has a sample that is no number, the %1th</source>
-        <translation>hat einen Wert, der keine Zahl ist (Nr. %1)</translation>
+        <source>has a sample that is not a number: sample %1</source>
+        <translation>hat einen Wert, der keine Zahl ist: Nr. %1</translation>
     </message>
     <message>
         <source>times, force or sensor rate lie outside their ranges</source>
         <translation>Zeiten, Kraft oder Sensorrate liegen außerhalb ihrer Bereiche</translation>
     </message>
     <message>
-        <source>Give positive times of together at most 600 s</source>
-        <translation>Geben Sie positive Zeiten von zusammen höchstens 600 s an</translation>
+        <source>Give positive times that add up to at most 600 s</source>
+        <translation>Geben Sie positive Zeiten an, die zusammen höchstens 600 s ergeben</translation>
     </message>
     <message>
-        <source>the device has steps of %1; it was prepared for finer ones</source>
-        <translation>das Gerät hat Schritte von %1; vorbereitet wurde für feinere</translation>
+        <source>the device has steps of %1, but the playback was prepared for finer steps</source>
+        <translation>das Gerät hat Schritte von %1, die Wiedergabe wurde aber für feinere vorbereitet</translation>
     </message>
     <message>
         <source>Give --step-mm %1</source>
         <translation>Geben Sie --step-mm %1 an</translation>
     </message>
     <message>
-        <source>this build of Detent has no engine for browsers</source>
-        <translation>dieses gebaute Detent hat keine Wiedergabe für Browser</translation>
+        <source>this build of Detent cannot make a web page to press buttons on</source>
+        <translation>diese Fassung von Detent kann keine Webseite machen, auf der man Taster drückt</translation>
     </message>
     <message>
         <source>Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32, then configure and build anew</source>
@@ -11958,28 +11954,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist %1</translation>
     </message>
     <message>
-        <source>Give one from %1 to %2</source>
+        <source>Give a value from %1 to %2</source>
         <translation>Geben Sie einen Wert von %1 bis %2 an</translation>
     </message>
     <message>
-        <source>A force device can render %1 to %2; scale the button (edit it, or convert its graph)</source>
-        <translation>Ein Kraftgerät kann %1 bis %2 darstellen; skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
+        <source>A force device can produce %1 to %2; scale the button (edit it, or convert its graph)</source>
+        <translation>Ein Kraftgerät kann %1 bis %2 erzeugen; skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
     </message>
     <message>
-        <source>ends at %1; %2 reaches %3</source>
-        <translation>endet bei %1; %2 reicht bis %3</translation>
+        <source>ends at %1, but %2 reaches only %3</source>
+        <translation>endet bei %1, %2 reicht aber nur bis %3</translation>
     </message>
     <message>
         <source>Choose a device that reaches farther, or scale the button (edit it, or convert its graph)</source>
         <translation>Wählen Sie ein Gerät, das weiter reicht, oder skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
     </message>
     <message>
-        <source>%1 lies outside (%2, %3]</source>
-        <translation>%1 liegt außerhalb (%2; %3]</translation>
+        <source>%1 must be above %2 and at most %3</source>
+        <translation>%1 muss über %2 und höchstens %3 sein</translation>
     </message>
     <message>
-        <source>%1 bands, at most %2</source>
-        <translation>%1 Bänder, höchstens %2</translation>
+        <source>has %1 bands, but at most %2 are allowed</source>
+        <translation>hat %1 Bänder, erlaubt sind höchstens %2</translation>
     </message>
     <message>
         <source>Keep the strongest bands</source>
@@ -12014,48 +12010,48 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist kein Journal einer Studie</translation>
     </message>
     <message>
-        <source>Take it away</source>
-        <translation>Entfernen Sie es</translation>
+        <source>Move this file out of the study</source>
+        <translation>Nehmen Sie diese Datei aus der Studie</translation>
     </message>
     <message>
         <source>was cancelled</source>
         <translation>wurde abgebrochen</translation>
     </message>
     <message>
-        <source>Start it again</source>
-        <translation>Beginnen Sie es neu</translation>
+        <source>Start the step again</source>
+        <translation>Beginnen Sie den Schritt neu</translation>
     </message>
     <message>
-        <source>presses by itself: a sensor would be a second finger</source>
-        <translation>drückt selbst, daher lässt sich kein Kraftsensor dazu verwenden</translation>
+        <source>presses on its own; a sensor would be a second finger</source>
+        <translation>drückt selbst; ein Sensor wäre ein zweiter Finger</translation>
     </message>
     <message>
-        <source>Leave one of both out</source>
-        <translation>Lassen Sie eines von beiden weg</translation>
+        <source>Use only one of the two</source>
+        <translation>Verwenden Sie nur eines von beiden</translation>
     </message>
     <message>
-        <source>would run the one button that was uploaded; a study exchanges buttons</source>
-        <translation>würde den einen Taster ausführen, der übertragen wurde; eine Studie wechselt zwischen Tastern</translation>
+        <source>would play only the button that was uploaded, but a study switches between buttons</source>
+        <translation>würde nur den übertragenen Taster ausführen, eine Studie wechselt aber zwischen Tastern</translation>
     </message>
     <message>
-        <source>Choose it without uploading a table</source>
-        <translation>Wählen Sie es, ohne eine Tabelle zu übertragen</translation>
+        <source>Choose the device without uploading a table</source>
+        <translation>Wählen Sie das Gerät, ohne eine Tabelle zu übertragen</translation>
     </message>
     <message>
-        <source>renders forces; this study compares what only a vibration has</source>
-        <translation>stellt Kräfte dar; diese Studie vergleicht, was nur eine Vibration hat</translation>
+        <source>produces forces, but this study compares what only a vibration has</source>
+        <translation>erzeugt Kräfte, diese Studie vergleicht aber, was nur eine Vibration hat</translation>
     </message>
     <message>
-        <source>Leave it out, or make a study of the mode full</source>
-        <translation>Lassen Sie es weg oder machen Sie eine Studie der Art „Alles“</translation>
+        <source>Leave the force device out, or make a study of the mode full</source>
+        <translation>Lassen Sie das Kraftgerät weg, oder machen Sie eine Studie der Art „Alles“</translation>
     </message>
     <message>
         <source>has no consent text in &quot;%1&quot;</source>
         <translation>hat keinen Einwilligungstext in „%1“</translation>
     </message>
     <message>
-        <source>Put %1 there, or choose another language</source>
-        <translation>Legen Sie %1 dorthin oder wählen Sie eine andere Sprache</translation>
+        <source>Put the file %1 into this folder, or choose another language</source>
+        <translation>Legen Sie die Datei %1 in diesen Ordner, oder wählen Sie eine andere Sprache</translation>
     </message>
     <message>
         <source>is broken (%1)</source>
@@ -12070,28 +12066,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stellen Sie den Ordner wieder her</translation>
     </message>
     <message>
-        <source>had a file &quot;%1&quot; beside it that is missing: its end may have been cut off</source>
-        <translation>hatte eine Datei „%1“ neben sich, die fehlt: Sein Ende kann abgeschnitten sein</translation>
+        <source>lacks the file &quot;%1&quot;, which was in its folder; the end of the journal may have been cut off</source>
+        <translation>ihm fehlt die Datei „%1“ aus seinem Ordner; das Ende des Journals kann abgeschnitten sein</translation>
     </message>
     <message>
-        <source>Restore both from a copy</source>
-        <translation>Stellen Sie beide aus einer Kopie wieder her</translation>
+        <source>Restore both files from a copy</source>
+        <translation>Stellen Sie beide Dateien aus einer Kopie wieder her</translation>
     </message>
     <message>
         <source>does not record the length of the journal</source>
         <translation>hält die Länge des Journals nicht fest</translation>
     </message>
     <message>
-        <source>held %1 lines when it was last written, and these are not all there</source>
-        <translation>hatte %1 Zeilen, als es zuletzt geschrieben wurde, und die sind nicht alle da</translation>
+        <source>should have %1 lines, but some of them are missing</source>
+        <translation>sollte %1 Zeilen haben, einige davon fehlen aber</translation>
     </message>
     <message>
-        <source>Give trial,press_s, one row for each press, in seconds behind the cue</source>
-        <translation>Geben Sie trial,press_s an, eine Zeile für jeden Tastendruck, in Sekunden nach dem Zeichen</translation>
+        <source>Give the columns trial,press_s: one row for each press, in seconds after the cue</source>
+        <translation>Geben Sie die Spalten trial,press_s an: eine Zeile für jeden Tastendruck, in Sekunden nach dem Zeichen</translation>
     </message>
     <message>
-        <source>does not name trial and press_s</source>
-        <translation>nennt trial und press_s nicht</translation>
+        <source>does not have the columns trial and press_s</source>
+        <translation>hat die Spalten trial und press_s nicht</translation>
     </message>
     <message>
         <source>has too few fields</source>
@@ -12110,12 +12106,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>„%1“ ist keine Art zu antworten</translation>
     </message>
     <message>
-        <source>presses answer timing studies only</source>
-        <translation>Tastendrücke beantworten nur Studien des Timings</translation>
+        <source>recorded presses can answer only timing studies</source>
+        <translation>aufgezeichnete Tastendrücke können nur Studien des Timings beantworten</translation>
     </message>
     <message>
-        <source>answers no timing study</source>
-        <translation>beantwortet keine Studie des Timings</translation>
+        <source>cannot answer a timing study</source>
+        <translation>kann keine Studie des Timings beantworten</translation>
     </message>
     <message>
         <source>Give guess, perfect or errors=P</source>
@@ -12126,23 +12122,23 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie timing=STELLE,STREUUNG oder presses=DATEI an</translation>
     </message>
     <message>
-        <source>a place of tapping is the seconds between presses</source>
+        <source>in tapping, PLACE is the time between presses in seconds</source>
         <translation>beim Tippen ist die Stelle die Zeit in Sekunden zwischen zwei Tastendrücken</translation>
     </message>
     <message>
-        <source>Give 0.01 or more</source>
-        <translation>Geben Sie 0.01 oder mehr an</translation>
+        <source>Give a time of 0.01 s or more</source>
+        <translation>Geben Sie eine Zeit ab 0.01 s an</translation>
     </message>
     <message>
-        <source>a threshold answers threshold studies only</source>
-        <translation>eine Schwelle beantwortet nur Schwellenstudien</translation>
+        <source>a threshold can answer only threshold studies</source>
+        <translation>eine Schwelle kann nur Schwellenstudien beantworten</translation>
     </message>
     <message>
-        <source>Restore it from a copy, or plan anew before the first person comes</source>
-        <translation>Stellen Sie es aus einer Kopie wieder her oder planen Sie neu, bevor die erste Person kommt</translation>
+        <source>Restore the file from a copy, or plan again before the first participant begins</source>
+        <translation>Stellen Sie die Datei aus einer Kopie wieder her, oder planen Sie neu, bevor die erste Versuchsperson beginnt</translation>
     </message>
     <message>
-        <source>is not a plan this program knows</source>
+        <source>is not a plan that this program knows</source>
         <translation>ist kein Plan, den dieses Programm kennt</translation>
     </message>
     <message>
@@ -12150,16 +12146,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stellen Sie die Datei wieder her</translation>
     </message>
     <message>
-        <source>holds no counts of version %1</source>
-        <translation>enthält keine Zählungen der Version %1</translation>
+        <source>is not a file of counts of version %1</source>
+        <translation>ist keine Datei mit Zählungen der Version %1</translation>
     </message>
     <message>
-        <source>knows a mode &quot;%1&quot; that does not exist</source>
+        <source>names a mode &quot;%1&quot; that does not exist</source>
         <translation>nennt eine Art „%1“, die es nicht gibt</translation>
     </message>
     <message>
-        <source>Restore the file as it was made</source>
-        <translation>Stellen Sie die Datei so wieder her, wie sie gemacht wurde</translation>
+        <source>Restore the original file</source>
+        <translation>Stellen Sie die ursprüngliche Datei wieder her</translation>
     </message>
     <message>
         <source>is not a study</source>
@@ -12170,39 +12166,39 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Nennen Sie einen Ordner, den detent-play study new gemacht hat</translation>
     </message>
     <message>
-        <source>is a study of version %1, this program knows 1 to %2</source>
-        <translation>ist eine Studie der Version %1, dieses Programm kennt 1 bis %2</translation>
+        <source>is a study of version %1; this program knows 1 to %2</source>
+        <translation>ist eine Studie der Version %1; dieses Programm kennt 1 bis %2</translation>
     </message>
     <message>
         <source>Use the program that made it</source>
         <translation>Benutzen Sie das Programm, das sie gemacht hat</translation>
     </message>
     <message>
-        <source>was shuffled by %1</source>
-        <translation>wurde von %1 gemischt</translation>
+        <source>has an order of questions that was made by %1</source>
+        <translation>hat eine Reihenfolge der Fragen, die von %1 stammt</translation>
     </message>
     <message>
-        <source>knows a kind &quot;%1&quot; that does not exist</source>
+        <source>names a kind &quot;%1&quot; that does not exist</source>
         <translation>nennt eine Studienart „%1“, die es nicht gibt</translation>
     </message>
     <message>
-        <source>knows a quantity %1 that does not exist</source>
+        <source>names a quantity %1 that does not exist</source>
         <translation>nennt eine Größe %1, die es nicht gibt</translation>
     </message>
     <message>
-        <source>knows a scale %1 that does not exist</source>
+        <source>names a scale %1 that does not exist</source>
         <translation>nennt eine Skala %1, die es nicht gibt</translation>
     </message>
     <message>
-        <source>knows a task %1 that does not exist</source>
+        <source>names a task %1 that does not exist</source>
         <translation>nennt eine Aufgabe %1, die es nicht gibt</translation>
     </message>
     <message>
-        <source>has levels of a button &quot;%1&quot; it does not hold</source>
-        <translation>hat Stufen eines Tasters „%1“, den sie nicht enthält</translation>
+        <source>has levels of a button &quot;%1&quot; that is not in the study</source>
+        <translation>hat Stufen eines Tasters „%1“, der nicht in der Studie ist</translation>
     </message>
     <message>
-        <source>has no levels of button &quot;%1&quot;</source>
+        <source>has no levels of the button &quot;%1&quot;</source>
         <translation>hat keine Stufen des Tasters „%1“</translation>
     </message>
     <message>
@@ -12210,27 +12206,27 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>wurde geändert, nachdem die Studie gemacht wurde</translation>
     </message>
     <message>
-        <source>Restore it, or make a new study with the changed button</source>
+        <source>Restore the file, or make a new study with the changed button</source>
         <translation>Stellen Sie die Datei wieder her oder machen Sie eine neue Studie mit dem geänderten Taster</translation>
     </message>
     <message>
-        <source>Restore it, or make a new study</source>
+        <source>Restore the file, or make a new study</source>
         <translation>Stellen Sie die Datei wieder her oder machen Sie eine neue Studie</translation>
     </message>
     <message>
-        <source>speaks of a button &quot;%1&quot; it does not hold</source>
-        <translation>nennt einen Taster „%1“, den sie nicht enthält</translation>
+        <source>names a button &quot;%1&quot; that is not in the study</source>
+        <translation>nennt einen Taster „%1“, der nicht in der Studie ist</translation>
     </message>
     <message>
-        <source>does not say how button &quot;%1&quot; feels (%2)</source>
-        <translation>sagt nicht, wie sich Taster „%1“ anfühlt (%2)</translation>
+        <source>does not record how the button &quot;%1&quot; feels (%2)</source>
+        <translation>hält nicht fest, wie sich der Taster „%1“ anfühlt (%2)</translation>
     </message>
     <message>
-        <source>cannot be made (%1)</source>
+        <source>cannot be created (%1)</source>
         <translation>kann nicht angelegt werden (%1)</translation>
     </message>
     <message>
-        <source>Check the folder, its rights and the free space</source>
+        <source>Check the folder, its permissions and the free space</source>
         <translation>Prüfen Sie den Ordner, seine Zugriffsrechte und den freien Platz</translation>
     </message>
     <message>
@@ -12238,11 +12234,11 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Prüfen Sie den Ordner darüber</translation>
     </message>
     <message>
-        <source>Make one with detent-play study new, or name its folder</source>
-        <translation>Machen Sie eine mit detent-play study new oder nennen Sie ihren Ordner</translation>
+        <source>Make a study with detent-play study new, or name the folder of a study</source>
+        <translation>Machen Sie eine Studie mit detent-play study new, oder nennen Sie den Ordner einer Studie</translation>
     </message>
     <message>
-        <source>Restore it from a copy</source>
+        <source>Restore the file from a copy</source>
         <translation>Stellen Sie die Datei aus einer Kopie wieder her</translation>
     </message>
     <message>
@@ -12254,15 +12250,15 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Machen Sie mit jenem Programm weiter oder beginnen Sie eine neue Studie</translation>
     </message>
     <message>
-        <source>Plan before the first person comes, or make a new study</source>
-        <translation>Planen Sie, bevor die erste Person kommt, oder machen Sie eine neue Studie</translation>
+        <source>Plan before the first participant begins, or make a new study</source>
+        <translation>Planen Sie, bevor die erste Versuchsperson beginnt, oder machen Sie eine neue Studie</translation>
     </message>
     <message>
-        <source>Check the folder above it and its rights</source>
+        <source>Check the folder above it and its permissions</source>
         <translation>Prüfen Sie den Ordner darüber und seine Zugriffsrechte</translation>
     </message>
     <message>
-        <source>it tells no error, and does not reach closed-loop control</source>
+        <source>it reports no error, but does not reach closed-loop control</source>
         <translation>sie meldet keinen Fehler, erreicht aber die Regelung nicht</translation>
     </message>
     <message>
@@ -12330,11 +12326,11 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 von %2 Antworten kamen zu spät oder gar nicht, während der Griff leicht geschoben wurde</translation>
     </message>
     <message>
-        <source>Check the cable, close what else runs on this computer, and try again</source>
-        <translation>Prüfen Sie das Kabel, schließen Sie, was sonst auf diesem Rechner läuft, und versuchen Sie es erneut</translation>
+        <source>Check the cable, close other programs on this computer, and try again</source>
+        <translation>Prüfen Sie das Kabel, schließen Sie andere Programme auf diesem Rechner, und versuchen Sie es erneut</translation>
     </message>
     <message>
-        <source>Check the folder, its rights and the free space, then try again</source>
+        <source>Check the folder, its permissions and the free space, then try again</source>
         <translation>Prüfen Sie den Ordner, seine Zugriffsrechte und den freien Platz und versuchen Sie es noch einmal</translation>
     </message>
     <message>
@@ -12422,40 +12418,40 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Kalibrierfehler</translation>
     </message>
     <message>
-        <source>an error whose code begins with %1 and was cut off: odrivetool&apos;s dump_errors tells it</source>
-        <translation>ein Fehler, dessen Code mit %1 beginnt und abgeschnitten wurde: dump_errors von odrivetool nennt ihn</translation>
+        <source>an error whose code begins with %1; the rest was cut off, but dump_errors in odrivetool shows it</source>
+        <translation>ein Fehler, dessen Code mit %1 beginnt; der Rest wurde abgeschnitten, dump_errors in odrivetool zeigt ihn</translation>
     </message>
     <message>
-        <source>This computer is late: it takes %1 ms to pass a line to itself. Close what else runs and allow real-time scheduling (docs/guide/force-feedback.md)</source>
+        <source>This computer is too slow: it takes %1 ms to send a line to itself. Close other programs and allow real-time scheduling (docs/guide/force-feedback.md)</source>
         <translation>Dieser Rechner reagiert zu langsam: Er braucht %1 ms, um sich selbst eine Zeile zu senden. Andere Programme schließen und Echtzeit-Scheduling erlauben (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
-        <source>The device is late. Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or --upload, so that the device runs the law</source>
+        <source>The device is too slow. Make the connection faster: native USB, a higher --baud, an FTDI latency timer of 1 ms. Or use --upload, so that the device computes the force</source>
         <translation>Das Gerät reagiert zu langsam. Die Verbindung beschleunigen: natives USB, höheres --baud, FTDI-Latenz von 1 ms; oder --upload, damit das Gerät die Kraft selbst berechnet</translation>
     </message>
     <message>
-        <source>Friction of %1 N or an encoder step of %2 mm would carry it</source>
-        <translation>Eine Reibung von %1 N oder ein Encoderschritt von %2 mm würde es stabil machen</translation>
+        <source>With friction of %1 N or an encoder step of %2 mm, the button would be stable</source>
+        <translation>Mit einer Reibung von %1 N oder einem Encoderschritt von %2 mm wäre der Taster stabil</translation>
     </message>
     <message>
-        <source>More damping of the handle, a quicker loop (--rate) or a shorter delay would carry it</source>
-        <translation>Mehr Dämpfung des Griffs, eine schnellere Schleife (--rate) oder eine kürzere Verzögerung würde es stabil machen</translation>
+        <source>With more damping of the handle, a faster loop (--rate) or a shorter delay, the button would be stable</source>
+        <translation>Mit mehr Dämpfung des Griffs, einer schnelleren Schleife (--rate) oder einer kürzeren Verzögerung wäre der Taster stabil</translation>
     </message>
     <message>
-        <source>control points count from their curve&apos;s Time; the curve at %1 s seems to count them from the pattern&apos;s beginning and is played later than meant</source>
-        <translation>Stützpunkte zählen ab der Time ihrer Kurve; die Kurve bei %1 s scheint ab dem Anfang des Musters zu zählen und wird später gespielt als gemeint</translation>
+        <source>control points count from the Time of their curve; the curve at %1 s seems to count them from the beginning of the pattern, so it is played too late</source>
+        <translation>Stützpunkte zählen ab der Time ihrer Kurve; die Kurve bei %1 s scheint ab dem Anfang des Musters zu zählen und wird daher zu spät gespielt</translation>
     </message>
     <message>
         <source>Give an AHAP, .haptic or HJIF file, or a sound file such as a WAV</source>
         <translation>Eine AHAP-, .haptic- oder HJIF-Datei angeben, oder eine Tondatei wie WAV</translation>
     </message>
     <message>
-        <source>channel %1 of %2 alone is played: their mean would cancel out</source>
-        <translation>nur Kanal %1 von %2 wird gespielt: ihr Mittel würde sich auslöschen</translation>
+        <source>only channel %1 of %2 is played, because the channels would cancel each other out</source>
+        <translation>nur Kanal %1 von %2 wird gespielt, weil die Kanäle einander auslöschen würden</translation>
     </message>
     <message>
-        <source>reversed polarity: the handle moves against the force it is asked for</source>
-        <translation>verkehrte Polung: der Griff bewegt sich gegen die verlangte Kraft</translation>
+        <source>the polarity is reversed: the handle moves against the commanded force</source>
+        <translation>die Polung ist verkehrt: Der Griff bewegt sich gegen die verlangte Kraft</translation>
     </message>
     <message>
         <source>Swap the motor&apos;s two wires or the encoder&apos;s A and B</source>
@@ -12466,24 +12462,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Griff folgt einem kleinen Stoß nicht</translation>
     </message>
     <message>
-        <source>Turn it by hand: a position that stays the same means a dead encoder. Else free the handle, take the finger off, and try again</source>
-        <translation>Von Hand drehen: Bleibt die Position gleich, ist der Encoder defekt. Sonst den Griff frei machen, den Finger wegnehmen und noch einmal versuchen</translation>
+        <source>Turn the motor by hand: if the position does not change, the encoder is dead. Otherwise free the handle, take the finger off, and try again</source>
+        <translation>Drehen Sie den Motor von Hand: Ändert sich die Position nicht, ist der Encoder defekt. Sonst machen Sie den Griff frei, nehmen Sie den Finger weg, und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no name of a site</source>
+        <source>&quot;%1&quot; is not a site name</source>
         <translation>„%1“ ist kein gültiger Name eines Standorts</translation>
     </message>
     <message>
-        <source>Give --sites of letters, digits, - and _</source>
-        <translation>--sites aus Buchstaben, Ziffern, - und _ angeben</translation>
+        <source>Give --sites names made of letters, digits, - and _</source>
+        <translation>Geben Sie bei --sites Namen aus Buchstaben, Ziffern, - und _ an</translation>
     </message>
     <message>
         <source>two sites are called &quot;%1&quot;</source>
         <translation>zwei Standorte heißen „%1“</translation>
     </message>
     <message>
-        <source>Give --sites, a name for each study</source>
-        <translation>--sites angeben, einen Namen je Studie</translation>
+        <source>Give --sites a different name for each study</source>
+        <translation>Geben Sie bei --sites einen eigenen Namen für jede Studie an</translation>
     </message>
     <message>
         <source>is a merged study itself</source>
@@ -12494,7 +12490,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Studien ihrer Standorte zusammenführen</translation>
     </message>
     <message>
-        <source>asks for other answers, or of other buttons, than &quot;%1&quot;</source>
+        <source>asks for other answers, or for other buttons, than &quot;%1&quot;</source>
         <translation>fragt nach anderen Antworten oder verwendet andere Taster als „%1“</translation>
     </message>
     <message>
@@ -12502,8 +12498,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Kopien einer Studie zusammenführen</translation>
     </message>
     <message>
-        <source>was planned with another rule for the unfinished than &quot;%1&quot;</source>
-        <translation>wurde mit einer anderen Regel für unfertige Versuchspersonen geplant als „%1“</translation>
+        <source>was planned with another rule for participants who did not finish than &quot;%1&quot;</source>
+        <translation>wurde mit einer anderen Regel für Versuchspersonen geplant, die nicht fertig wurden, als „%1“</translation>
     </message>
     <message>
         <source>Merge studies of one plan</source>
@@ -12514,8 +12510,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 Namen für %2 Studien</translation>
     </message>
     <message>
-        <source>Give --sites a name for each</source>
-        <translation>--sites je Studie einen Namen geben</translation>
+        <source>Give --sites one name for each study</source>
+        <translation>Geben Sie bei --sites einen Namen für jede Studie an</translation>
     </message>
     <message>
         <source>Check the folders and the free space</source>
@@ -12526,24 +12522,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist die zusammengeführte Studie mehrerer Standorte: darin antwortet niemand</translation>
     </message>
     <message>
-        <source>Run the study of one site, and merge anew</source>
-        <translation>Die Studie eines Standorts durchführen und neu zusammenführen</translation>
+        <source>Run the study of one site, then merge again</source>
+        <translation>Führen Sie die Studie eines Standorts durch, und führen Sie dann neu zusammen</translation>
     </message>
     <message>
-        <source>has a rule for the unfinished that does not exist</source>
-        <translation>hat eine Regel für unfertige Versuchspersonen, die es nicht gibt</translation>
+        <source>has a rule for participants who did not finish that does not exist</source>
+        <translation>hat eine Regel für Versuchspersonen, die nicht fertig wurden, die es nicht gibt</translation>
     </message>
     <message>
-        <source>knows a feel %1 that does not exist</source>
+        <source>names a feel %1 that does not exist</source>
         <translation>nennt ein Gefühl %1, das es nicht gibt</translation>
     </message>
     <message>
-        <source>names no sites this program knows</source>
+        <source>names no sites that this program knows</source>
         <translation>nennt keine Standorte, die dieses Programm kennt</translation>
     </message>
     <message>
-        <source>has a participant already: a plan made now could not be kept to</source>
-        <translation>hat schon eine Versuchsperson: Ein jetzt gemachter Plan wäre nicht einzuhalten</translation>
+        <source>already has a participant, so it is too late for a plan</source>
+        <translation>hat schon eine Versuchsperson, für einen Plan ist es daher zu spät</translation>
     </message>
     <message>
         <source>this is the merged study of several sites: nobody answers in it</source>
@@ -12558,32 +12554,32 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Studie über Zeitpunkte braucht Zeiten, die ein Browser nicht liefert</translation>
     </message>
     <message>
-        <source>Run it with study run or in detent-edit</source>
-        <translation>Sie mit study run oder in detent-edit durchführen</translation>
+        <source>Run the study with detent-play study run or in detent-edit</source>
+        <translation>Führen Sie die Studie mit detent-play study run oder in detent-edit durch</translation>
     </message>
     <message>
         <source>the study was made for a device profile, and a browser&apos;s device is unknown</source>
         <translation>die Studie wurde für ein Geräteprofil angelegt, und das Gerät eines Browsers ist unbekannt</translation>
     </message>
     <message>
-        <source>Make a study without --profile, or run it with study run</source>
-        <translation>Eine Studie ohne --profile anlegen oder sie mit study run durchführen</translation>
+        <source>Make a study without --profile, or run this one with detent-play study run</source>
+        <translation>Machen Sie eine Studie ohne --profile, oder führen Sie diese mit detent-play study run durch</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no address of a web server</source>
+        <source>&quot;%1&quot; is not the address of a web server</source>
         <translation>„%1“ ist nicht die Adresse eines Webservers</translation>
     </message>
     <message>
-        <source>Give one such as https://lab.example/answers</source>
-        <translation>Eine wie https://lab.example/answers angeben</translation>
+        <source>Give an address such as https://lab.example/answers</source>
+        <translation>Geben Sie eine Adresse wie https://lab.example/answers an</translation>
     </message>
     <message>
         <source>a page is for 1 to %1 participants, not %2</source>
         <translation>eine Seite ist für 1 bis %1 Versuchspersonen, nicht für %2</translation>
     </message>
     <message>
-        <source>Name them with --participants, separated by commas</source>
-        <translation>Sie mit --participants angeben, durch Kommas getrennt</translation>
+        <source>Name the participants with --participants, separated by commas</source>
+        <translation>Nennen Sie die Versuchspersonen mit --participants, durch Kommas getrennt</translation>
     </message>
     <message>
         <source>%1 has begun already</source>
@@ -12594,24 +12590,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 ist zweimal angegeben oder einer anderen Kennung zu ähnlich</translation>
     </message>
     <message>
-        <source>Give ids that are read out differently</source>
-        <translation>Kennungen angeben, die verschieden klingen</translation>
+        <source>Give ids that sound different when read aloud</source>
+        <translation>Geben Sie Kennungen an, die vorgelesen verschieden klingen</translation>
     </message>
     <message>
-        <source>Friction of %1 N would carry it</source>
-        <translation>Eine Reibung von %1 N würde es stabil machen</translation>
+        <source>With friction of %1 N, the button would be stable</source>
+        <translation>Mit einer Reibung von %1 N wäre der Taster stabil</translation>
     </message>
     <message>
         <source>Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, d-prime=D with D from 0 to 10, timing=PLACE,SPREAD or presses=FILE</source>
         <translation>Geben Sie guess, perfect, errors=P mit P von 0 bis 1, threshold=T mit T von 0.001 bis 10, d-prime=D mit D von 0 bis 10, timing=ORT,STREUUNG oder presses=DATEI an</translation>
     </message>
     <message>
-        <source>a d&apos; answers same/different studies only</source>
-        <translation>ein d&apos; beantwortet nur Studien same-different</translation>
+        <source>d&apos; can answer only same/different studies</source>
+        <translation>d&apos; kann nur Studien same-different beantworten</translation>
     </message>
     <message>
-        <source>is the name of two files of this format</source>
-        <translation>ist der Name zweier Dateien dieses Formats</translation>
+        <source>would be the name of two exported files</source>
+        <translation>wäre der Name zweier exportierter Dateien</translation>
     </message>
     <message>
         <source>Give the file another ending than %1</source>
@@ -12661,6 +12657,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Set at most %1, or move the actuation point up</source>
         <translation>Höchstens %1 einstellen oder den Auslösepunkt höher legen</translation>
     </message>
+    <message>
+        <source>Give at least one point</source>
+        <translation>Geben Sie mindestens einen Punkt an</translation>
+    </message>
+    <message>
+        <source>Give at least one reading</source>
+        <translation>Geben Sie mindestens einen Messwert an</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
@@ -12680,7 +12684,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann nicht gestartet werden</translation>
     </message>
     <message>
-        <source>has one output: the masking noise would be felt</source>
+        <source>has only one output: the masking noise would be felt</source>
         <translation>hat nur einen Ausgang: Das Maskierrauschen wäre zu fühlen</translation>
     </message>
     <message>
@@ -12706,8 +12710,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::HapticPreparation</name>
     <message>
-        <source>with the paper&apos;s levels the click drowns in slope or bottom-out, more than %1 dB below them (jump at %2); --feel clear lets it through</source>
-        <translation>mit den Pegeln der Veröffentlichung wird der Klick von Steigung oder Anschlag maskiert, mehr als %1 dB darunter (Sprung bei %2); --feel clear macht ihn wahrnehmbar</translation>
+        <source>at the levels of the published method, the click at %2 is masked: slope or bottom-out is over %1 dB stronger. Use --feel clear to keep the click</source>
+        <translation>mit den Pegeln der Veröffentlichung ist der Klick bei %2 maskiert: Steigung oder Anschlag ist über %1 dB stärker. Mit --feel clear bleibt der Klick fühlbar</translation>
     </message>
 </context>
 <context>
@@ -12737,16 +12741,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Starten Sie jackd mit einer anderen Rate neu</translation>
     </message>
     <message>
-        <source>gives no more ports</source>
-        <translation>gibt keine weiteren Anschlüsse her</translation>
+        <source>has no free ports</source>
+        <translation>hat keine freien Anschlüsse</translation>
     </message>
     <message>
         <source>Close another JACK program</source>
         <translation>Schließen Sie ein anderes JACK-Programm</translation>
     </message>
     <message>
-        <source>refuses to start</source>
-        <translation>lässt sich nicht starten</translation>
+        <source>does not start</source>
+        <translation>startet nicht</translation>
     </message>
     <message>
         <source>Restart jackd</source>
@@ -12776,16 +12780,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>hat kein %1</translation>
     </message>
     <message>
-        <source>is no list</source>
+        <source>is not a list</source>
         <translation>ist keine Liste</translation>
     </message>
     <message>
-        <source>is no number</source>
+        <source>is not a number</source>
         <translation>ist keine Zahl</translation>
     </message>
     <message>
-        <source>Correct it</source>
-        <translation>Berichtigen Sie das</translation>
+        <source>Correct the value</source>
+        <translation>Berichtigen Sie den Wert</translation>
     </message>
     <message>
         <source>is %1</source>
@@ -12796,7 +12800,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie eine Zahl von %1 bis %2 an</translation>
     </message>
     <message>
-        <source>is no text</source>
+        <source>is not text</source>
         <translation>ist kein Text</translation>
     </message>
 </context>
@@ -12823,12 +12827,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>cannot be cut back to its last whole line</source>
+        <source>cannot be shortened to its last complete line</source>
         <translation>lässt sich nicht auf die letzte ganze Zeile kürzen</translation>
     </message>
     <message>
-        <source>could not take one more line</source>
-        <translation>konnte keine weitere Zeile aufnehmen</translation>
+        <source>could not be extended by one line</source>
+        <translation>ließ sich nicht um eine Zeile verlängern</translation>
     </message>
 </context>
 <context>
@@ -12845,36 +12849,36 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::MagneticSensor</name>
     <message>
-        <source>holds fewer than two pairs</source>
-        <translation>enthält weniger als zwei Paare</translation>
+        <source>has fewer than two pairs of displacement and reading</source>
+        <translation>hat weniger als zwei Paare aus Weg und Messwert</translation>
     </message>
     <message>
         <source>Measure readings at several places of the travel</source>
         <translation>An mehreren Stellen des Wegs messen</translation>
     </message>
     <message>
-        <source>is not finite</source>
-        <translation>ist keine endliche Zahl</translation>
+        <source>is not a usable number</source>
+        <translation>ist keine brauchbare Zahl</translation>
     </message>
     <message>
-        <source>Remove or correct it</source>
-        <translation>Entfernen oder berichtigen</translation>
+        <source>Remove or correct the value</source>
+        <translation>Entfernen oder berichtigen Sie den Wert</translation>
     </message>
     <message>
-        <source>does not lie deeper than the pair before</source>
-        <translation>liegt nicht tiefer als das Paar davor</translation>
+        <source>is not deeper than the previous pair</source>
+        <translation>liegt nicht tiefer als das vorige Paar</translation>
     </message>
     <message>
         <source>Sort the pairs by displacement</source>
         <translation>Die Paare nach dem Weg ordnen</translation>
     </message>
     <message>
-        <source>reads no farther the same way than the pair before</source>
-        <translation>setzt die Messwerte nicht in derselben Richtung fort wie das Paar davor</translation>
+        <source>has a reading that does not continue to rise or fall</source>
+        <translation>hat einen Messwert, der nicht weiter steigt oder fällt</translation>
     </message>
     <message>
-        <source>Leave out the part of the travel in which the sensor does not tell places apart</source>
-        <translation>Den Teil des Wegs weglassen, in dem der Sensor Stellen nicht unterscheidet</translation>
+        <source>Leave out the part of the travel where the reading of the sensor stays the same or turns back</source>
+        <translation>Lassen Sie den Teil des Wegs weg, in dem der Messwert des Sensors gleich bleibt oder umkehrt</translation>
     </message>
     <message>
         <source>Give a CSV with the header displacement_mm,reading</source>
@@ -12889,12 +12893,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>hat keine Spalten displacement_mm und reading</translation>
     </message>
     <message>
-        <source>does not hold two finite numbers</source>
-        <translation>enthält keine zwei endlichen Zahlen</translation>
+        <source>does not hold two usable numbers</source>
+        <translation>enthält keine zwei brauchbaren Zahlen</translation>
     </message>
     <message>
-        <source>is not within 0 and 1000000 counts</source>
-        <translation>liegt nicht zwischen 0 und 1000000 Schritten des Wandlers</translation>
+        <source>must lie between 0 and 1000000 counts</source>
+        <translation>muss zwischen 0 und 1000000 Schritten des Wandlers liegen</translation>
     </message>
     <message>
         <source>Give the standard deviation of the readings at rest</source>
@@ -12904,7 +12908,7 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::OdriveForceDevice</name>
     <message>
-        <source>axis or travel per turn mean nothing</source>
+        <source>the axis or the travel per turn is not valid</source>
         <translation>die Achse oder der Weg je Umdrehung ist ungültig</translation>
     </message>
     <message>
@@ -12916,28 +12920,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>auf Achse %1 antwortet kein ODrive</translation>
     </message>
     <message>
-        <source>no ODrive answers on axis %1; what answers says &quot;%2&quot;</source>
-        <translation>auf Achse %1 antwortet kein ODrive; was antwortet, sagt „%2“</translation>
+        <source>no ODrive answers on axis %1; the answer was &quot;%2&quot;</source>
+        <translation>auf Achse %1 antwortet kein ODrive; die Antwort war „%2“</translation>
     </message>
     <message>
         <source>Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)</source>
         <translation>Prüfen Sie Strom, Kabel und Achse und ob das ASCII-Protokoll eingeschaltet ist (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
-        <source>axis %1 does not arm: %2</source>
-        <translation>Achse %1 lässt sich nicht aktivieren: %2</translation>
+        <source>axis %1 cannot be switched on: %2</source>
+        <translation>Achse %1 lässt sich nicht einschalten: %2</translation>
     </message>
     <message>
-        <source>Mend that with odrivetool (dump_errors), until closed-loop control runs</source>
+        <source>Correct this with odrivetool (dump_errors), until closed-loop control runs</source>
         <translation>Beheben Sie das mit odrivetool (dump_errors), bis die Regelung läuft</translation>
     </message>
     <message>
-        <source>axis %1 does not hold %2</source>
-        <translation>Achse %1 behält %2 nicht</translation>
+        <source>axis %1 does not keep the setting %2</source>
+        <translation>Achse %1 behält die Einstellung %2 nicht</translation>
     </message>
     <message>
-        <source>Set that with odrivetool, then try again</source>
-        <translation>Das mit odrivetool einstellen, dann noch einmal versuchen</translation>
+        <source>Make this setting with odrivetool, then try again</source>
+        <translation>Nehmen Sie diese Einstellung mit odrivetool vor, und versuchen Sie es noch einmal</translation>
     </message>
 </context>
 <context>
@@ -12971,20 +12975,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie 1, 2, 3, 4, 5, 6 oder 7 an</translation>
     </message>
     <message>
-        <source>holds no press at a time that counts</source>
-        <translation>enthält keinen Tastendruck in der Zeit, die zählt</translation>
+        <source>has no press within the time that counts</source>
+        <translation>hat keinen Tastendruck in der Zeit, die zählt</translation>
     </message>
     <message>
-        <source>Press at the cue; in tapping, at least twice</source>
-        <translation>Drücken Sie beim Zeichen; beim Tippen mindestens zweimal</translation>
+        <source>Press at the cue; in tapping, press at least twice</source>
+        <translation>Drücken Sie beim Zeichen; beim Tippen drücken Sie mindestens zweimal</translation>
     </message>
     <message>
-        <source>is about something that was not felt</source>
-        <translation>betrifft etwas, das nicht gefühlt wurde</translation>
+        <source>is about a button that was not felt</source>
+        <translation>betrifft einen Taster, der nicht gefühlt wurde</translation>
     </message>
     <message>
-        <source>Press X and what it is compared with to the end, then answer</source>
-        <translation>Drücken Sie X und das, womit es verglichen wird, bis zum Ende und antworten Sie dann</translation>
+        <source>Press X and the button that it is compared with to the end, then answer</source>
+        <translation>Drücken Sie X und den Taster, mit dem X verglichen wird, bis zum Ende, und antworten Sie dann</translation>
     </message>
 </context>
 <context>
@@ -12994,28 +12998,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann ohne Audiogerät nicht wiedergegeben werden</translation>
     </message>
     <message>
-        <source>Start a player on a device</source>
-        <translation>Starten Sie die Wiedergabe auf einem Gerät</translation>
+        <source>Start the player with a sound device</source>
+        <translation>Starten Sie die Wiedergabe mit einem Audiogerät</translation>
     </message>
     <message>
-        <source>holds no reading</source>
-        <translation>enthält keinen Messwert</translation>
+        <source>contains no readings</source>
+        <translation>enthält keine Messwerte</translation>
     </message>
     <message>
-        <source>Give at least one</source>
-        <translation>Geben Sie mindestens einen an</translation>
+        <source>Give at least one reading</source>
+        <translation>Geben Sie mindestens einen Messwert an</translation>
     </message>
     <message>
         <source>were requested too often at once</source>
         <translation>wurden zu oft zugleich verlangt</translation>
     </message>
     <message>
-        <source>Wait until one has begun</source>
-        <translation>Warten Sie, bis eine begonnen hat</translation>
+        <source>Wait until one of the requests has begun</source>
+        <translation>Warten Sie, bis eine der Anforderungen begonnen hat</translation>
     </message>
     <message>
-        <source>are none</source>
-        <translation>es gibt keine</translation>
+        <source>are missing</source>
+        <translation>fehlen</translation>
     </message>
     <message>
         <source>have a rate outside 8000..192000 Hz</source>
@@ -13026,7 +13030,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Wählen Sie eine andere Rate</translation>
     </message>
     <message>
-        <source>pass full scale</source>
+        <source>exceed full scale</source>
         <translation>überschreiten die Vollaussteuerung</translation>
     </message>
     <message>
@@ -13034,12 +13038,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie Werte zwischen -1 und 1 an</translation>
     </message>
     <message>
-        <source>is the device of the vibration too: the masking noise would be felt</source>
+        <source>is also the device of the vibration: the masking noise would be felt</source>
         <translation>ist auch das Gerät der Vibration: Das Maskierrauschen wäre zu fühlen</translation>
     </message>
     <message>
-        <source>Leave --noise-device out, or name the headphones&apos; own</source>
-        <translation>Lassen Sie --noise-device weg oder nennen Sie das der Kopfhörer</translation>
+        <source>Leave --noise-device out, or name the device of the headphones</source>
+        <translation>Lassen Sie --noise-device weg, oder nennen Sie das Gerät der Kopfhörer</translation>
     </message>
 </context>
 <context>
@@ -13053,8 +13057,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>enthält etwas, das keine Zahl ist</translation>
     </message>
     <message>
-        <source>is none of newtons, linear, divider</source>
-        <translation>ist weder newtons noch linear noch divider</translation>
+        <source>must be newtons, linear or divider</source>
+        <translation>muss newtons, linear oder divider sein</translation>
     </message>
     <message>
         <source>must be above 0</source>
@@ -13083,20 +13087,20 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::Replay</name>
     <message>
-        <source>was changed by hand, or a line before it was</source>
-        <translation>wurde von Hand geändert oder eine Zeile davor</translation>
+        <source>was changed by hand, or an earlier line was</source>
+        <translation>wurde von Hand geändert, oder eine frühere Zeile wurde es</translation>
     </message>
     <message>
-        <source>Restore the journal from a copy; its answers are not used as they stand</source>
-        <translation>Stellen Sie das Journal aus einer Kopie wieder her; so, wie sie dastehen, werden seine Antworten nicht benutzt</translation>
+        <source>Restore the journal from a copy; its answers are not used in this state</source>
+        <translation>Stellen Sie das Journal aus einer Kopie wieder her; in diesem Zustand werden seine Antworten nicht benutzt</translation>
     </message>
     <message>
-        <source>holds an event &quot;%1&quot; this program does not know</source>
+        <source>holds an event &quot;%1&quot; that this program does not know</source>
         <translation>enthält ein Ereignis „%1“, das dieses Programm nicht kennt</translation>
     </message>
     <message>
-        <source>Use the program that wrote it</source>
-        <translation>Benutzen Sie das Programm, das es geschrieben hat</translation>
+        <source>Use the program that wrote the journal</source>
+        <translation>Benutzen Sie das Programm, das das Journal geschrieben hat</translation>
     </message>
     <message>
         <source>line %1</source>
@@ -13107,8 +13111,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist kein Journal einer Studie</translation>
     </message>
     <message>
-        <source>Take it away</source>
-        <translation>Entfernen Sie es</translation>
+        <source>Move this file out of the study</source>
+        <translation>Nehmen Sie diese Datei aus der Studie</translation>
     </message>
     <message>
         <source>is of version %1</source>
@@ -13119,8 +13123,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ist das Journal von %1</translation>
     </message>
     <message>
-        <source>Give the file its own name again</source>
-        <translation>Geben Sie der Datei wieder ihren eigenen Namen</translation>
+        <source>Give the file its original name again</source>
+        <translation>Geben Sie der Datei wieder ihren ursprünglichen Namen</translation>
     </message>
     <message>
         <source>belongs to another study, or study.json was changed since</source>
@@ -13131,7 +13135,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stellen Sie study.json wieder her oder legen Sie das Journal zu seiner Studie</translation>
     </message>
     <message>
-        <source>knows a session that this program does not: %1, %2</source>
+        <source>names a session that this program does not know: %1, %2</source>
         <translation>nennt eine Sitzung, die dieses Programm nicht kennt: %1, %2</translation>
     </message>
     <message>
@@ -13143,7 +13147,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stellen Sie das Journal wieder her</translation>
     </message>
     <message>
-        <source>answers trial %1 out of its turn</source>
+        <source>answers trial %1 out of order</source>
         <translation>beantwortet Durchgang %1 außer der Reihe</translation>
     </message>
     <message>
@@ -13151,62 +13155,62 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>passt nicht zur Liste der Durchgänge</translation>
     </message>
     <message>
-        <source>is an answer about something that was not felt</source>
-        <translation>ist eine Antwort über etwas, das nicht gefühlt wurde</translation>
+        <source>is an answer about a button that was not felt</source>
+        <translation>ist eine Antwort über einen Taster, der nicht gefühlt wurde</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::SerialForceDevice</name>
     <message>
-        <source>gives %1; it was prepared for more</source>
-        <translation>gibt %1; vorbereitet wurde für mehr</translation>
+        <source>can produce only %1, less than the playback was prepared for</source>
+        <translation>kann nur %1 erzeugen, weniger, als bei der Vorbereitung angenommen wurde</translation>
     </message>
     <message>
         <source>Give --max-N %1</source>
         <translation>Geben Sie --max-N %1 an</translation>
     </message>
     <message>
-        <source>does not say back the limits it was given: nothing would hold its force if this program failed</source>
-        <translation>bestätigt die Grenzen nicht, die es bekam: Nichts begrenzte seine Kraft, wenn dieses Programm ausfiele</translation>
+        <source>does not confirm the limits that it was given: nothing would limit its force if this program failed</source>
+        <translation>bestätigt die Grenzen nicht, die es bekam: Nichts würde seine Kraft begrenzen, wenn dieses Programm ausfiele</translation>
     </message>
     <message>
-        <source>Check that the firmware speaks docs/reference/force-protocol.md and the baud rate is the same</source>
-        <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md spricht und die Baudrate dieselbe ist</translation>
+        <source>Check that the firmware follows docs/reference/force-protocol.md and that the baud rate is the same</source>
+        <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md befolgt und die Baudrate dieselbe ist</translation>
     </message>
     <message>
-        <source>answers with something that is no line of the protocol</source>
-        <translation>antwortet mit etwas, das keine Zeile des Protokolls ist</translation>
+        <source>gives an answer that is not part of the protocol</source>
+        <translation>gibt eine Antwort, die nicht zum Protokoll gehört</translation>
     </message>
     <message>
-        <source>answers &quot;%1&quot;, which is no line of the protocol</source>
-        <translation>antwortet „%1“, was keine Zeile des Protokolls ist</translation>
+        <source>answers &quot;%1&quot;, which is not part of the protocol</source>
+        <translation>antwortet „%1“, was nicht zum Protokoll gehört</translation>
     </message>
     <message>
-        <source>speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew</source>
-        <translation>spricht ein älteres Protokoll ohne eigene Kraftgrenze: Spielen Sie samples/firmware/force1d neu auf</translation>
+        <source>uses an older protocol without its own force limit: install samples/firmware/force1d again</source>
+        <translation>verwendet ein älteres Protokoll ohne eigene Kraftgrenze: Spielen Sie samples/firmware/force1d neu auf</translation>
     </message>
     <message>
-        <source>does not take the force table</source>
+        <source>does not accept the force table</source>
         <translation>nimmt die Krafttabelle nicht an</translation>
     </message>
     <message>
-        <source>Check the firmware and the cable; without the upload the host runs the law</source>
-        <translation>Prüfen Sie Firmware und Kabel; ohne das Übertragen rechnet dieser Rechner die Kraft</translation>
+        <source>Check the firmware and the cable; without the upload, this computer computes the force</source>
+        <translation>Prüfen Sie Firmware und Kabel; ohne das Übertragen berechnet dieser Rechner die Kraft</translation>
     </message>
     <message>
-        <source>holds no force table</source>
+        <source>cannot hold a force table</source>
         <translation>fasst keine Krafttabelle</translation>
     </message>
     <message>
-        <source>Leave the upload out: the host runs the law</source>
-        <translation>Lassen Sie das Übertragen weg: Dann rechnet dieser Rechner die Kraft</translation>
+        <source>Do not upload, so that this computer computes the force</source>
+        <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft berechnet</translation>
     </message>
     <message>
-        <source>was opened for %1; the table has a limit of %2, or none</source>
-        <translation>wurde für %1 geöffnet; die Tabelle hat eine Grenze von %2 oder keine</translation>
+        <source>was opened with a limit of %1, but the table has %2 or no limit</source>
+        <translation>wurde mit einer Grenze von %1 geöffnet, die Tabelle hat aber %2 oder keine Grenze</translation>
     </message>
     <message>
-        <source>Prepare the button for the device&apos;s limit</source>
+        <source>Prepare the button for the limit of the device</source>
         <translation>Bereiten Sie den Taster für die Grenze des Geräts vor</translation>
     </message>
 </context>
@@ -13221,8 +13225,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann nicht geöffnet werden (%1)</translation>
     </message>
     <message>
-        <source>Check the name, the cable and your right to use it (group dialout)</source>
-        <translation>Prüfen Sie den Namen, das Kabel und Ihre Berechtigung (Gruppe dialout)</translation>
+        <source>Check the name, the cable and your permission to use the port (group dialout)</source>
+        <translation>Prüfen Sie den Namen, das Kabel und Ihre Berechtigung für den Anschluss (Gruppe dialout)</translation>
     </message>
     <message>
         <source>is in use by another program</source>
@@ -13241,7 +13245,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie eine Rate von %1 bis %2 an</translation>
     </message>
     <message>
-        <source>is the name of two devices with one serial number; the other is %1</source>
+        <source>is the name of two devices with the same serial number; the other is %1</source>
         <translation>ist der Name zweier Geräte mit derselben Seriennummer; das andere ist %1</translation>
     </message>
     <message>
@@ -13260,8 +13264,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::SignalSender</name>
     <message>
-        <source>cannot be sent to (%1)</source>
-        <translation>nimmt nichts an (%1)</translation>
+        <source>cannot be reached (%1)</source>
+        <translation>ist nicht erreichbar (%1)</translation>
     </message>
     <message>
         <source>Check host and port</source>
@@ -13275,27 +13279,27 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>sendet keine Messwerte</translation>
     </message>
     <message>
-        <source>Check the sensor, its cable and the port&apos;s speed</source>
+        <source>Check the sensor, its cable and the speed of the port</source>
         <translation>Prüfen Sie den Sensor, sein Kabel und die Geschwindigkeit des Anschlusses</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::Summary</name>
     <message>
-        <source>FLAC holds no float samples</source>
-        <translation>FLAC fasst keine Gleitkommawerte</translation>
+        <source>FLAC cannot store floating-point samples</source>
+        <translation>FLAC kann keine Gleitkommawerte speichern</translation>
     </message>
     <message>
-        <source>Give --bits 16 or 24, or a .wav</source>
-        <translation>Geben Sie --bits 16 oder 24 oder eine .wav an</translation>
+        <source>Give --bits 16 or 24, or a .wav file</source>
+        <translation>Geben Sie --bits 16 oder 24 an, oder eine .wav-Datei</translation>
     </message>
     <message>
         <source>is neither .wav nor .flac</source>
         <translation>ist weder .wav noch .flac</translation>
     </message>
     <message>
-        <source>Give one of these endings</source>
-        <translation>Geben Sie eine dieser Endungen an</translation>
+        <source>Give a file that ends in .wav or .flac</source>
+        <translation>Geben Sie eine Datei an, die auf .wav oder .flac endet</translation>
     </message>
 </context>
 <context>
@@ -13313,7 +13317,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>keine Betätigung ist angegeben</translation>
     </message>
     <message>
-        <source>%1 is no press</source>
+        <source>%1 is not a press</source>
         <translation>%1 ist keine Betätigung</translation>
     </message>
     <message>

@@ -32,39 +32,43 @@ struct FormatWords {
 std::vector<FormatWords> FormatWords::all() {
   return {
       {ExportFormat::package, tr("Detent package (JSON)"),
-       tr("Everything: force thresholds, waveforms, curve and filters, for your own player."), ".json"},
+       tr("Everything for your own playback program: force thresholds, waveforms, curve and filters."),
+       ".json"},
       {ExportFormat::cHeader, tr("Firmware (C header)"),
-       tr("Force thresholds, waveforms and curve for a microcontroller. Without the filters, equalizer and "
-          "limiter."),
+       tr("Force thresholds, waveforms and curve for a microcontroller. Filters, equalizer and limiter are "
+          "left out."),
        ".h"},
       {ExportFormat::ahap, tr("iPhone (AHAP)"),
-       tr("Two files, press and release, 80 to 230 Hz. Plays over time; the finger's force has no effect."),
+       tr("Two files, press and release, 80 to 230 Hz. Plays like a recording; the finger's force has no "
+          "effect."),
        ".ahap"},
       {ExportFormat::haptic, tr("Meta and Lofelt (.haptic)"),
-       tr("One oscillator, 80 to 230 Hz. Plays over time; the finger's force has no effect."), ".haptic"},
+       tr("One tone, 80 to 230 Hz. Plays like a recording; the finger's force has no effect."), ".haptic"},
       {ExportFormat::android, tr("Android (Kotlin)"),
-       tr("Press and release as envelopes, no part shorter than 20 ms. Plays over time; the finger's force "
-          "has no effect."),
+       tr("Strength of press and release over time, in steps of at least 20 ms. Plays like a recording; the "
+          "finger's force has no effect."),
        ".kt"},
       {ExportFormat::openxr, tr("OpenXR (parametric)"),
-       tr("Structures as JSON and, beside it, as a C header. Plays over time; the finger's force has no "
-          "effect."),
+       tr("Two files with the same data, JSON and a C header. Plays like a recording; the finger's force has "
+          "no effect."),
        ".json"},
       {ExportFormat::hjif, tr("MPEG haptics (HJIF)"),
-       tr("ISO/IEC 23090-31, with the unchanged waveform. Plays over time; the finger's force has no "
+       tr("ISO/IEC 23090-31, with the unchanged waveform. Plays like a recording; the finger's force has no "
           "effect."),
        ".hjif"},
       {ExportFormat::bos1921, tr("Piezo driver BOS1921"),
-       tr("Whole sine cycles for the driver's memory. Plays over time; the finger's force has no effect."),
+       tr("Whole sine cycles for the driver's memory. Plays like a recording; the finger's force has no "
+          "effect."),
        ".h"},
       {ExportFormat::da728x, tr("Motor driver DA7280, DA7282"),
        tr("100 bytes of waveform memory; the motor vibrates at its own frequency."), ".h"},
       {ExportFormat::drv2605, tr("Motor driver DRV2605"),
        tr("One amplitude every 5 ms; the motor vibrates at its own frequency."), ".h"},
       {ExportFormat::pcm, tr("Samples (C array)"),
-       tr("The waveform as numbers. Plays over time; the finger's force has no effect."), ".h"},
+       tr("The waveform as numbers. Plays like a recording; the finger's force has no effect."), ".h"},
       {ExportFormat::touchpad, tr("Haptic touchpad"),
-       tr("Force threshold of 110 to 190 g, and intensity; the touchpad plays its own waveforms."), ".json"},
+       tr("Sets force threshold (110 to 190 g) and intensity; the touchpad plays its own waveforms."),
+       ".json"},
   };
 }
 
@@ -87,20 +91,19 @@ QString energyWords(const playback::ExportLoss& loss) {
                  (kept ? numberText(100 * *kept, 3) + QStringLiteral(" %")
                        : DeviceExportDialog::tr("missing"));
   }
-  return DeviceExportDialog::tr("Energy kept: %1").arg(bands.join(QStringLiteral(", ")));
+  return DeviceExportDialog::tr("Energy of the vibration kept: %1").arg(bands.join(QStringLiteral(", ")));
 }
 
 QString lossWords(const playback::ExportLoss& loss) {
   return energyWords(loss) + QStringLiteral("\n") +
          DeviceExportDialog::tr(
-             "Largest timing error: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz")
+             "Largest timing error: %1 ms; pulses merged: %2; frequencies shifted by up to %3 Hz")
              .arg(numberText(loss.worstTimingError_ms, 3), QString::number(loss.grainsMerged),
                   numberText(loss.frequencyMoved_Hz, 3)) +
-         (loss.cut
-              ? QStringLiteral("\n") +
-                    DeviceExportDialog::tr(
-                        "The format cannot hold the whole press: its end is cut off. The file states where.")
-              : QString());
+         (loss.cut ? QStringLiteral("\n") +
+                         DeviceExportDialog::tr("The format cannot hold the whole press: the end of the "
+                                                "press is cut off. The file states where.")
+                   : QString());
 }
 
 }  // namespace
@@ -108,8 +111,9 @@ QString lossWords(const playback::ExportLoss& loss) {
 DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
     : QDialog(parent),
       button_(std::move(button)),
-      format_(described(new QComboBox, QStringLiteral("deviceFormat"), tr("Target format of the press"),
-                        tr("Target format of the press"))),
+      format_(described(new QComboBox, QStringLiteral("deviceFormat"),
+                        tr("Format or device to export the press for"),
+                        tr("Format or device to export the press for"))),
       rate_(numbers("deviceRate", tr("Samples per second"), rates_Hz, QStringLiteral("Hz"), 48000)),
       bits_(numbers("deviceBits", tr("Bits of a sample"), sampleBits, tr("bits"), 16)),
       wayDown_(described(new QSpinBox, QStringLiteral("deviceWayDown"), tr("Duration of the press stroke"),

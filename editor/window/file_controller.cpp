@@ -313,7 +313,7 @@ void FileController::changedOutside(const QString& path) {
                     "undone.")
                : tr("Another program changed this file."),
       {{"reload", tr("Reload"), [this, tab] { reload(*tab); }},
-       {"keepMine", tr("Keep mine"), [tab, seen = contentHash(path)] {
+       {"keepMine", tr("Keep my version"), [tab, seen = contentHash(path)] {
           tab->document().history().stack().resetClean();
           tab->document().setKnownContent(seen);  // the next save does not ask about the same content again
         }}});

@@ -169,11 +169,12 @@ QuantityField* GraphExportDialog::axisEnd(const char* name, const QString& tip, 
 
 QFormLayout* GraphExportDialog::shown() {
   auto* form = new QFormLayout;
-  monochrome_ =
-      checkOf("graphMonochrome", tr("&Black and white"), tr("Press black, release black and dashed"));
+  monochrome_ = checkOf("graphMonochrome", tr("&Black and white"),
+                        tr("Draw the press in black, the release in black and dashed"));
   callouts_ = checkOf("graphCallouts", tr("&Label points"),
-                      tr("Tactile points, operating and reset point and bottom-out, with their values"));
-  dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
+                      tr("Label tactile points, operating and reset point and bottom-out with their values"));
+  dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"),
+                        tr("Show pre-travel and differential travel as dimension lines"));
   tolerance_ = fieldOf("graphTolerance", tr("Tolerance band, as a share of the press force"), Quantity::share,
                        {0, widestTolerance});
   toleranceForce_ = fieldOf("graphToleranceForce", tr("Tolerance band, as a force above and below the press"),

@@ -68,30 +68,32 @@ QLayout* MagneticDialog::choices() {
   const playback::RapidTrigger usual;
   auto* form = new QFormLayout;
   actuate_ = lengthField(*form, "magneticActuate", tr("&Actuation point:"),
-                         tr("Displacement at which the key closes"), first.actuate_mm);
+                         tr("Displacement at which the key closes (switches on)"), first.actuate_mm);
   reset_ = lengthField(*form, "magneticReset", tr("&Release point:"),
                        tr("Displacement at which the key opens on its way up"), first.reset_mm);
   rapid_ = checkBox(*form, "magneticRapid", tr("Rapid &trigger"),
-                    tr("The key opens and closes with the direction of the movement"));
+                    tr("The key opens and closes as the movement changes direction"));
   press_ = lengthField(*form, "magneticPress", tr("&Press distance:"),
-                       tr("The key closes this far below the highest place"), usual.press_mm);
-  release_ = lengthField(*form, "magneticRelease", tr("Release &distance:"),
-                         tr("The key opens this far above the deepest place"), usual.release_mm);
-  continuous_ = checkBox(*form, "magneticContinuous", tr("&Continuous"),
-                         tr("Rapid trigger lasts until the key is fully released, not only below the "
-                            "release point"));
+                       tr("How far the key moves down from its highest position before it closes"),
+                       usual.press_mm);
+  release_ =
+      lengthField(*form, "magneticRelease", tr("Release &distance:"),
+                  tr("How far the key moves up from its deepest position before it opens"), usual.release_mm);
+  continuous_ = checkBox(
+      *form, "magneticContinuous", tr("&Continuous"),
+      tr("Rapid trigger stays active until the key is fully released, even above the release point"));
   top_ = lengthField(*form, "magneticTop", tr("T&op dead zone:"),
                      tr("First part of the travel, in which the key is always open"), 0);
   bottom_ = lengthField(*form, "magneticBottom", tr("&Bottom dead zone:"),
                         tr("Last part of the travel, in which the key is always closed"), 0);
   down_ = lengthField(*form, "magneticDown", tr("Presses go do&wn to:"),
-                      tr("End of both presses of the drawn movement"), first.travel_mm);
+                      tr("How deep both presses of the example movement go"), first.travel_mm);
   up_ = lengthField(*form, "magneticUp", tr("and &up to:"),
-                    tr("Displacement at which the second press of the drawn movement begins"),
+                    tr("Displacement at which the second press of the example movement begins"),
                     first.actuate_mm / 2);
   auto* read = plainButton("magneticRead", tr("Readin&gs…"),
-                           tr("Read what your sensor shows over the travel from a CSV file"));
-  readings_->setText(tr("Readings are assumed: a magnet of the usual size."));
+                           tr("Load the readings of your sensor over the travel from a CSV file"));
+  readings_->setText(tr("No readings loaded: a magnet of the usual size is assumed."));
   connect(read, &QPushButton::clicked, this, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Readings of the sensor"), {}, tr("CSV") + " (*.csv)");

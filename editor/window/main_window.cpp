@@ -308,8 +308,7 @@ void MainWindow::makeFeelPanel() {
     if (DocumentTab* tab = tabs_->tabOf(otherDocument_)) tab->workspace().showFinger(finger);
   });
   connect(&session_->force(), &ForceSession::marginChanged, this, &MainWindow::showMargin);
-  other_ = described(new QComboBox, "feelOther",
-                     tr("The second button (B), pressed alternately with the one shown"),
+  other_ = described(new QComboBox, "feelOther", tr("Second button (B), to press in turn with the one shown"),
                      tr("Button B, for comparison"));
   connect(other_, &QComboBox::activated, this, &MainWindow::chooseOther);
   auto* label = new QLabel(tr("Compare &with:"));
@@ -644,7 +643,7 @@ MeasuredWindow& MainWindow::showMeasured() {
       return remember(at_.prompts.folder(parent, tr("Add a folder of measurements"), folder()));
     };
     context.page = [this](QWidget* parent, const QString& suggested) {
-      return at_.prompts.fileToSave(parent, tr("Write a page"), suggested, tr("Pages (*.html)"));
+      return at_.prompts.fileToSave(parent, tr("Write a web page"), suggested, tr("Web pages (*.html)"));
     };
     measured_ = new MeasuredWindow(std::move(context), this);
   }
@@ -847,7 +846,7 @@ void MainWindow::print(DocumentTab& tab) {
   const bool printed = printGraph(printer, tab.document(), at_.view);
   statusBar()->showMessage(
       printed ? tr("Printed %1.").arg(tab.document().title())
-              : tr("The printer did not accept the print job. Choose another one, or print to a file."),
+              : tr("The printer did not accept the print job. Choose another printer, or print to a file."),
       messageTime_ms);
 }
 

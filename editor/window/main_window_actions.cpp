@@ -84,13 +84,13 @@ void MainWindow::makeFileActions() {
                             QKeySequence("Ctrl+Shift+S"), [this](DocumentTab& tab) { files_->saveAs(tab); }));
   menu->addAction(tabAction("saveAll", tr("Save a&ll"), tr("Save every button with unsaved changes"),
                             QKeySequence("Ctrl+Alt+S"), [this](DocumentTab&) { files_->saveAll(); }));
-  keepPage_ = tabAction(
-      "keepPage", tr("&Keep the page in the file"),
-      tr("Save the part of the page around the graph with the button, for when the datasheet is not at hand"),
-      QKeySequence("Ctrl+Alt+P"), [this](DocumentTab& tab) {
-        files_->sheets().keepPage(tab.document(), keepPage_->isChecked());
-        updateKeepPage();
-      });
+  keepPage_ = tabAction("keepPage", tr("&Keep the page in the file"),
+                        tr("Save the part of the page around the graph in the file of the button, so that "
+                           "you see it without the datasheet"),
+                        QKeySequence("Ctrl+Alt+P"), [this](DocumentTab& tab) {
+                          files_->sheets().keepPage(tab.document(), keepPage_->isChecked());
+                          updateKeepPage();
+                        });
   keepPage_->setCheckable(true);
   menu->addAction(keepPage_);
   QMenu* exports = menu->addMenu(tr("&Export"));
@@ -110,8 +110,7 @@ void MainWindow::makeFileActions() {
                 QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exports().csv(tab); }));
   exports->addAction(tabAction(
       "exportSemicolonCsv", tr("Samples with d&ecimal commas (CSV)…"),
-      tr("Write the same samples with semicolons between the fields, as spreadsheets "
-         "with decimal commas read them"),
+      tr("Write the samples with decimal commas and semicolons, as many spreadsheets expect them"),
       QKeySequence("Ctrl+Alt+Shift+E"), [this](DocumentTab& tab) { files_->exports().semicolonCsv(tab); }));
   exports->addAction(
       tabAction("exportCsvAt", tr("Samples &at given travels (CSV)…"),
@@ -123,7 +122,7 @@ void MainWindow::makeFileActions() {
       QKeySequence("Ctrl+Alt+F"), [this](DocumentTab& tab) { files_->exports().dataPackage(tab); }));
   exports->addAction(tabAction(
       "exportTracedProject", tr("WebPlotDigitizer p&roject…"),
-      tr("Write the state shown as a project that WebPlotDigitizer opens, axes in the units shown"),
+      tr("Write the state shown as a WebPlotDigitizer project, with axes in the units shown"),
       QKeySequence("Ctrl+Alt+J"), [this](DocumentTab& tab) { files_->exports().tracedProject(tab); }));
   exports->addAction(tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
                                tr("Export the vibration of a standard press (WAV, mono, 48 kHz)"),
@@ -139,7 +138,7 @@ void MainWindow::makeFileActions() {
       QKeySequence("Ctrl+Alt+Y"), [this](DocumentTab& tab) { files_->exports().magneticKey(tab); }));
   menu->addAction(
       tabAction("sharePage", tr("S&hare as web page…"),
-                tr("Write a web page that anyone can open and press, with nothing else installed"),
+                tr("Write a web page on which anyone can press the button, without installing anything"),
                 QKeySequence("Ctrl+Alt+H"), [this](DocumentTab& tab) { files_->exports().page(tab); }));
   menu->addSeparator();
   menu->addAction(tabAction("print", tr("&Print…"), tr("Print the graph with its values"),
@@ -278,8 +277,8 @@ void MainWindow::makeWindowActions() {
   buttonMenu_ = menuOf(menuBar(), tr("&Button"), "buttonMenu");
   QMenu* menu = buttonMenu_;
   menu->addAction(tabAction("morph", tr("&Blend two buttons…"),
-                            tr("Create a button between two open buttons"), QKeySequence("Ctrl+Alt+B"),
-                            [this](DocumentTab& tab) { morph(tab); }));
+                            tr("Create a button that lies between two open buttons"),
+                            QKeySequence("Ctrl+Alt+B"), [this](DocumentTab& tab) { morph(tab); }));
   menu->addAction(tabAction("average", tr("&Average open buttons…"),
                             tr("Create the mean of several units of one button, and show their spread"),
                             QKeySequence("Ctrl+Alt+A"), [this](DocumentTab& tab) { average(tab); }));

@@ -75,7 +75,7 @@ MarginOverlay::MarginOverlay(GraphCanvas& canvas, const ButtonDocument& document
     : QWidget(&canvas), canvas_(canvas), document_(document) {
   setObjectName("marginOverlay");
   setAttribute(Qt::WA_TransparentForMouseEvents);
-  setAccessibleName(tr("Slopes that the force device can stably render"));
+  setAccessibleName(tr("Slopes that the force device can reproduce without vibrating"));
   setGeometry(canvas.rect());
   canvas.installEventFilter(this);
   connect(&canvas, &UnitPlot::viewChanged, this, qOverload<>(&QWidget::update));

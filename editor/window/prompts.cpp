@@ -29,7 +29,8 @@ SaveChoice Prompts::unsaved(QWidget* parent, const QStringList& titles) {
   box.setText(titles.size() == 1
                   ? Questions::tr("Save the changes to \u201c%1\u201d?").arg(titles.first())
                   : Questions::tr("Save the changes to %n buttons?", "", static_cast<int>(titles.size())));
-  box.setInformativeText(titles.size() == 1 ? Questions::tr("They are lost otherwise.") : titles.join(", "));
+  box.setInformativeText(titles.size() == 1 ? Questions::tr("If you do not save them, the changes are lost.")
+                                            : titles.join(", "));
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {

@@ -137,7 +137,7 @@ void SheetController::keepPage(ButtonDocument& document, bool keep) {
   auto cutout = keep ? cutoutOf(*page) : std::nullopt;
   if (keep && !cutout) return emit done(tr("This page is too large to be kept in a button's file."));
   if (cutout)
-    emit done(tr("The page will be saved with the button: %1 more.")
+    emit done(tr("The page will be saved with the button; the file grows by %1.")
                   .arg(QLocale().formattedDataSize(static_cast<qint64>(cutout->png.size() * 4 / 3))));
   document.setCutout(std::move(cutout));
   document.history().stack().resetClean();
@@ -161,8 +161,8 @@ void SheetController::connectPages() {
     emit done(tr("Datasheet page of %1 restored.").arg(document->title()));
   });
   connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
-    QString sentence = tr("The datasheet that this button was read from, %1, is neither next to its file nor "
-                          "at its last location.")
+    QString sentence = tr("The datasheet %1, from which this button was read, is neither next to the file of "
+                          "the button nor at its last location.")
                            .arg(name);
     if (document->sheet()) sentence += ' ' + tr("The page shown is the one kept in the button's file.");
     say(document, NoticeBar::Kind::information, sentence);

@@ -53,7 +53,7 @@ Answer<T> answerOf(const Work& work) {
   } catch (const Refusal& refusal) {
     return {{}, refusal.why()};
   } catch (const std::bad_alloc&) {
-    return {{}, {3, "needs more memory than there is.", {}, {}}};
+    return {{}, {3, "needs more memory than is available.", {}, {}}};
   } catch (const std::exception& fault) {
     return {{},
             {1,

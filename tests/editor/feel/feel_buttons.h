@@ -21,8 +21,8 @@ struct NoDevices {
     d.open = [count = opened](const playback::PlayerSettings&,
                               const playback::LiveProgram&) -> Result<std::unique_ptr<playback::LivePlayer>> {
       ++*count;
-      return Failure{FailureCode::deviceTrouble, "default device", "", "no sound output is there",
-                     "Connect one, or start a JACK server"};
+      return Failure{FailureCode::deviceTrouble, "default device", "", "no sound output was found",
+                     "Connect a sound device, or start a JACK server"};
     };
     d.list = [count = listed]() -> Result<std::vector<playback::SoundDevice>> {
       ++*count;

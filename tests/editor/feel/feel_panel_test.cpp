@@ -169,7 +169,7 @@ class FeelPanelTest : public QObject {
     }
     QVERIFY(pressed && released);
     QVERIFY(rig.part<PressStrip>("pressStrip")->eventCount() > 20);
-    QTRY_VERIFY(rig.status().contains("no sound output is there"));
+    QTRY_VERIFY(rig.status().contains("no sound output was found"));
     QVERIFY(rig.status().contains("Connect one"));
     QVERIFY(rig.status().contains(". Default device"));
     QVERIFY(rig.part<QLabel>("feltLevel")->text().isEmpty());
@@ -500,7 +500,7 @@ class FeelPanelTest : public QObject {
     QVERIFY(play->isEnabled());
     rig.pad()->setFocus();
     QTest::keyClick(rig.pad(), Qt::Key_R);
-    QTRY_VERIFY(rig.status().contains("no sound output is there"));
+    QTRY_VERIFY(rig.status().contains("no sound output was found"));
     rig.pressToTheEnd();  // a refused playback does not hold the button
     QCOMPARE(rig.deepest(), 4.0);
     QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
@@ -513,7 +513,7 @@ class FeelPanelTest : public QObject {
     auto* play = rig.part<QToolButton>("play");
     QVERIFY(play->isEnabled());
     QTest::mouseClick(play, Qt::LeftButton);
-    QTRY_VERIFY(rig.status().contains("no sound output is there"));
+    QTRY_VERIFY(rig.status().contains("no sound output was found"));
     rig.pressToTheEnd();  // a refused playback does not hold the button
     QCOMPARE(rig.deepest(), 4.0);
     QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
@@ -606,7 +606,7 @@ class FeelPanelTest : public QObject {
     choose("sim:falcon");
     QVERIFY(shown("forceFinger") && shown("forceLargest") && !shown("forcePort"));
     QVERIFY(rig.part<QToolButton>("forceSwitch")->isEnabled());
-    QVERIFY(rig.part<QLabel>("forceStability")->text().contains("steeper"));
+    QVERIFY(rig.part<QLabel>("forceStability")->text().contains("too steep"));
     choose("serial:");
     QVERIFY(shown("forcePort") && shown("forceStep") && shown("forceUpload") && !shown("forceTurn"));
     rig.part<QComboBox>("forcePort")->setCurrentText("/dev/ttyACM5");

@@ -227,9 +227,9 @@ class LibraryTest : public QObject {
     QTRY_VERIFY(reading->text().contains("tactile press " + numberText(force_cN, 4)));
     QTest::mouseClick(plot, Qt::LeftButton, {}, at(1));
     QTest::mouseMove(plot, at(2));
-    QTRY_VERIFY(reading->text().contains("From the pinned cursor"));
+    QTRY_VERIFY(reading->text().contains("Difference from the pinned cursor"));
     QTest::keyClick(plot, Qt::Key_Escape);
-    QVERIFY(!reading->text().contains("From the pinned cursor"));
+    QVERIFY(!reading->text().contains("Difference from the pinned cursor"));
     dialog.findChild<QPushButton*>("compareRemove")->click();
     QCOMPARE(table->columnCount(), 5);
     QVERIFY(!dialog.findChild<QPushButton*>("compareRemove")->isEnabled());

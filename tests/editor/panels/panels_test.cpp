@@ -313,7 +313,7 @@ void PanelsTest::invalidValuesSayWhyAndRestore() {
   const auto* why = panel.findChild<QLabel*>("valuesRefusal");
   QVERIFY(!model.setData(cell(model, tactile, ValuesModel::displacement), "3.99", Qt::EditRole));
   QVERIFY(why->isVisible());
-  QVERIFY(why->text().contains("outside its flanks"));
+  QVERIFY(why->text().contains("it must stay between"));
   QVERIFY(rig.button() == before);
   QCOMPARE(rig.steps(), 0);
   QVERIFY(!model.setData(cell(model, tactile, ValuesModel::displacement), "about two", Qt::EditRole));

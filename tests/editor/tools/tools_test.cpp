@@ -283,8 +283,8 @@ void ToolsTest::refusedMoveStopsAtTheLimit() {
   rig.move(rig.pixel(3.99, 0.7));  // another path to the same place
   QVERIFY(rig.button() == limit);
   QVERIFY(rig.canvas().feedback().refused.has_value());
-  QVERIFY(rig.canvas().feedback().refused->why.contains("outside its flanks"));
-  QVERIFY(said.last().at(0).toString().contains("outside its flanks"));
+  QVERIFY(rig.canvas().feedback().refused->why.contains("it must stay between"));
+  QVERIFY(said.last().at(0).toString().contains("it must stay between"));
   rig.move(from + QPointF(14, -14));  // back to an allowed place
   QVERIFY(!rig.canvas().feedback().refused.has_value());
   QVERIFY(said.last().at(0).toString().contains("Esc"));  // the hint of the drag
@@ -704,7 +704,7 @@ void ToolsTest::dragOnEmptySpaceSelectsThePointsInside() {
 // The selection is a knot, not a number in a list.
 void ToolsTest::aJumpAddedElsewhereLeavesTheSelectionAlone() {
   WorkspaceRig rig(require(linearButton()));
-  rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, 3.1)), "Add knot");
+  rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, 3.1)), "Add curve point");
   const auto index = knotAt(rig.press(), 3.1);
   QVERIFY(index.has_value());
   rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, *index});
@@ -726,7 +726,7 @@ void ToolsTest::undoKeepsTheSelectionOnItsKnot() {
   const std::size_t last = rig.press().knots().size() - 2;
   const double at = rig.press().knots()[last].displacement_mm;
   rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, last});
-  rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, 0.1)), "Add knot");
+  rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, 0.1)), "Add curve point");
   QCOMPARE(rig.press().knots()[rig.canvas().selected()->index].displacement_mm, at);
   rig.document.history().stack().undo();
   QCOMPARE(rig.canvas().selected()->index, last);
@@ -757,7 +757,7 @@ void ToolsTest::undoUnderARectangleKeepsTheSelectionTrue() {
   const Button more = require(editGraph(rig.button(), 0, [](const ForceGraph& graph) {
     return editStroke(graph, Stroke::press, [](const StrokeCurve& curve) { return insertKnot(curve, 0.05); });
   }));
-  rig.document.history().apply(more, "Add knot");
+  rig.document.history().apply(more, "Add curve point");
   const MarkId added{MarkKind::knot, Stroke::press, 1}, last{MarkKind::knot, Stroke::press, knots};
   rig.canvas().setSelection({added, last});
   const QPointF emptySpot(60, 60);

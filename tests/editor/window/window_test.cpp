@@ -643,7 +643,7 @@ class WindowTest : public QObject {
     dialog.show();
     for (int i = 0; i < format->count(); ++i) {
       format->setCurrentIndex(i);
-      QVERIFY(dialog.findChild<QLabel*>("deviceLoss")->text().startsWith("Energy kept"));
+      QVERIFY(dialog.findChild<QLabel*>("deviceLoss")->text().startsWith("Energy of the vibration kept"));
       QCOMPARE(rate->isVisible(), dialog.choice().wanted.settings.format == playback::ExportFormat::pcm);
       QVERIFY(dialog.findChild<QPushButton*>("deviceExport")->isEnabled());
     }
