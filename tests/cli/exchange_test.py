@@ -216,7 +216,7 @@ class Exchange(unittest.TestCase):
         self.assertEqual(run("detent-graph", "convert", sample("B"), self.folder / "datapackage.json").returncode, 0)
         result, out = self.imported(self.folder / "datapackage.json")
         self.assertEqual(result.returncode, 4, result.stderr)
-        self.assertIn("Import the CSV of its curve", result.stderr)
+        self.assertIn("Import the CSV file of its curve", result.stderr)
         self.assertFalse(out.exists())
         self.assert_like(self.folder / "curve.csv", sample("B"))
 

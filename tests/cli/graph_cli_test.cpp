@@ -166,8 +166,8 @@ TEST_CASE("failures: code, one sentence, nothing written, no old file lost") {
   const std::vector<std::tuple<std::string, int, std::string>> cases = {
       {"missing.button.json", 3, "missing.button.json: does not exist."},
       {"broken.button.json", 3, "broken.button.json, line 3, column 3: is not valid JSON"},
-      {"newer.button.json", 3, "newer.button.json, version: is 99, newer than this program reads ("},
-      {"rows.csv", 3, "rows.csv, line 2: force \"nan\" is not a finite number."},
+      {"newer.button.json", 3, "newer.button.json, version: is 99; this program reads versions up to "},
+      {"rows.csv", 3, "rows.csv, line 2: force \"nan\" is not a usable number."},
       {"empty.csv", 4, "empty.csv: has a header but no rows."},
       {"notes.txt", 2, "notes.txt: does not end in .button.json, .csv or .svg."},
       {"plot.svg", 2, "plot.svg: is a picture"}};

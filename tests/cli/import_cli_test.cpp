@@ -139,7 +139,7 @@ TEST_CASE("Hostile inputs are refused with a sentence, in bounded time and memor
   // A fast machine reaches the limit of references, a slow one the limit of time: both say that it is not
   // drawn.
   refused("bomb.svg", svgBomb(), 3, "draw");
-  refused("forms.pdf", formBomb(), 3, "more objects");
+  refused("forms.pdf", formBomb(), 3, "too many objects");
   refused("pages.pdf", pdfPages(10000, "0 0 m 9 9 l S"), 3, "10000 pages");
   refused("circle.pdf", pdfOf({"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[2 0 R]/Count 1>>"}), 3,
           "damaged");
@@ -334,7 +334,8 @@ TEST_CASE("curves that make no pair beside a second scale of forces are refused 
   folder.write("two.svg", svg);
   const ProgramResult refused = import(folder, {"two.svg"});
   CHECK(refused.exitCode == 5);
-  CHECK_THAT(refused.err, Catch::Contains("a second scale on the right measures forces too. Import a graph"));
+  CHECK_THAT(refused.err,
+             Catch::Contains("a second scale on the right also measures forces. Import a graph"));
 }
 
 TEST_CASE("--list and the import name what a plot measures in place of a force") {

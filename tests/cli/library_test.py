@@ -105,7 +105,7 @@ class LibraryTest(unittest.TestCase):
             resource.setrlimit(resource.RLIMIT_FSIZE, (450_000, 450_000))
         run = self.index(preexec_fn=limited)
         self.assertEqual(run.returncode, 1)
-        self.assertIn(b"the disk refused", run.stderr)
+        self.assertIn(b"the disk is full or failed", run.stderr)
         self.assertLess(self.whole(), FILES)
         self.completed()
 

@@ -228,7 +228,7 @@ TEST_CASE("confusion: a button beside itself differs in nothing, and no cue is n
   const ProgramResult other = play({"confusion", "A.button.json", "B.button.json", "--json"});
   REQUIRE(other.exitCode == 0);
   const json forecast = json::parse(other.out)["pairs"][0];
-  CHECK(contains(forecast["reason"], "most differs on the "));
+  CHECK(contains(forecast["reason"], "the largest difference is on the "));
   CHECK(forecast["errors_low"] < forecast["errors_per_90"]);
   CHECK(forecast["errors_per_90"] < forecast["errors_high"]);
   CHECK(forecast["errors_high"] <= 45);
