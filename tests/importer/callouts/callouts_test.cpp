@@ -44,6 +44,14 @@ class NamedPoint {
     frame_.xLines.push_back({x, 2, true});
   }
 
+  /// Keeps the ends of the press and a point of its straight way, as a document may draw it.
+  void thinOut() {
+    StrokePoints& press = strokes_.press;
+    const std::size_t last = press.points.size() - 1;
+    press.points = {press.points[0], press.points[150], press.points[last]};
+    press.points_px = {press.points_px[0], press.points_px[150], press.points_px[last]};
+  }
+
   std::vector<Callout> read() const { return readCallouts(view_, frame_, axes_, strokes_); }
 
  private:
@@ -70,4 +78,17 @@ TEST_CASE("the curve beside its name is no leader, nor is a gridline") {
   NamedPoint below({220, 230, 320, 246});
   below.gridline(250);
   CHECK(below.read().empty());
+}
+
+TEST_CASE("a leader that passes by a text belongs to another one") {
+  NamedPoint plot({60, 60, 160, 76});
+  const double from = GENERATE(30.0, 70.0);  // above the words, or at them
+  plot.line({164 - 0.5 * (70 - from), from}, NamedPoint::onPress(212));
+  CHECK(plot.read().size() == (from < 60 ? 0 : 1));
+}
+
+TEST_CASE("a press that a document draws with few points is no leader") {
+  NamedPoint plot({300, 110, 400, 126});
+  plot.thinOut();
+  CHECK(plot.read().empty());
 }
