@@ -988,7 +988,6 @@ TEST_CASE("A line up from a curve's end that does not go on below it is left ove
       {"a hair line on paper", 0.7, 0.3, 1, false, false, false, false, true},
       {"a pale line on paper", 0.7, 1, 0.15, false, false, false, false, true},
       {"a gridline of dashes", 0.75, 1, 1, true, true, true},
-      {"a marker line of dashes", 0.7, 1, 1, true, false, true},
       {"nothing", 0.7, 0, 0, false, false, false},
       {"a pale area above", 0.7, 0, 0, false, false, false, true},
   }));
