@@ -15,10 +15,18 @@ std::string formatted(const char* format, double a, double b) {
   return text;
 }
 
+/// The most prominent tactile point and all that rival it: a turn of noise is not taken for the point.
 std::string tactileText(const StrokeReport& stroke) {
-  if (stroke.fit.tactilePoints.empty()) return "no tactile point";
-  const TactilePoint& p = stroke.fit.tactilePoints.front().point;
-  return formatted("tactile point %.3f mm %.3f N", p.displacement_mm, p.force_N);
+  constexpr double rival = 0.5;  // share of the largest prominence
+  double most_N = 0;
+  for (const FittedTactilePoint& each : stroke.fit.tactilePoints)
+    most_N = std::max(most_N, each.point.prominence_N);
+  std::string text;
+  for (const auto& [p, sigma_mm, sigma_N] : stroke.fit.tactilePoints)
+    if (p.prominence_N >= rival * most_N)
+      text += formatted(text.empty() ? "tactile point %.3f mm %.3f N" : " or %.3f mm %.3f N",
+                        p.displacement_mm, p.force_N);
+  return text.empty() ? "no tactile point" : text;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "importer/page/polyline.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -72,9 +73,10 @@ class MarkTest {
         paper_(mostFrequent(raster, frame.box())),
         known_(static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px), 0) {
     const Box box = frame.box();
-    for (const Point& p : strokes.press.points_px) setKnown({p.x, p.y, p.x, p.y});
+    // A straight stretch of a document has only two points.
+    for (const Point& p : densified(strokes.press.points_px, 1)) setKnown({p.x, p.y, p.x, p.y});
     if (strokes.release)
-      for (const Point& p : strokes.release->points_px) setKnown({p.x, p.y, p.x, p.y});
+      for (const Point& p : densified(strokes.release->points_px, 1)) setKnown({p.x, p.y, p.x, p.y});
     for (const GridLine& line : frame.xLines)
       if (line.spansFrame) setKnown({line.position_px, box.y0, line.position_px, box.y1});
     for (const GridLine& line : frame.yLines)
@@ -175,15 +177,29 @@ double leaderShare(const MarkTest& marks, Point from, Point to) {
   return shown > 0 ? double(shown - gaps - thick) / shown : 0;
 }
 
+constexpr double kAnchorGap = 0.25;  // heights of the text, between it and its leader
+
 /// Points around a text from which a leader may start.
 std::vector<Point> anchorsAround(const Box& box) {
-  const double gap = 0.25 * box.height();
+  const double gap = kAnchorGap * box.height();
   const Box b = box.grown(gap, gap);
   std::vector<Point> anchors;
   const double step = std::max(2.0, 0.2 * box.height());
   for (double x = b.x0; x <= b.x1; x += step) anchors.push_back({x, b.y0}), anchors.push_back({x, b.y1});
   for (double y = b.y0; y <= b.y1; y += step) anchors.push_back({b.x0, y}), anchors.push_back({b.x1, y});
   return anchors;
+}
+
+/// Returns true for a line that goes on beside the text, from a point next to it: the leader of another text.
+bool passesBy(const MarkTest& marks, Point target, Point anchor, const Box& text) {
+  const double length = distance(target, anchor), twice_px = 2 * kAnchorGap * text.height();
+  double marked = 0, beyond = 0;
+  for (double s = 1; s < twice_px; s += 1, beyond += 1) {
+    const Point p = anchor + (s / length) * (anchor - target);
+    if (text.contains(p)) return false;
+    marked += marks.near(p) ? 1 : 0;
+  }
+  return marked > leastShare * beyond;
 }
 
 /// Returns true for lines along an axis: gridlines and ticks are no leaders.
@@ -205,7 +221,7 @@ std::optional<Callout> follow(const Phrase& phrase, const MarkTest& marks, const
       const double share = leaderShare(marks, target, anchor);
       // of equal shares the longest line wins: the whole leader, not its end
       const double score = share + 0.002 * length / height;
-      if (share < leastShare || score <= bestScore) continue;
+      if (share < leastShare || score <= bestScore || passesBy(marks, target, anchor, phrase.box)) continue;
       bestScore = score;
       best = Callout{phrase.kind, stroke.points[i], target, share, phrase.text};
     }

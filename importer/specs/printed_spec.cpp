@@ -189,6 +189,18 @@ std::optional<PrintedSpec> valuesIn(std::string_view row) {
     spec.largest = spec.nominal + found->second;
     return spec;
   }
+  const auto plusOnly = [](RowReader& reader) {
+    reader.skipSpaces();
+    return reader.oneOf({"+"});
+  };
+  const auto slashMinus = [](RowReader& reader) { return reader.oneOf({"/"}) && reader.dash(); };
+  if (const auto found = numbersJoinedBy(row, plusOnly)) {  // "1.7 +0.4/-0.3"
+    const auto below = numbersJoinedBy(row, slashMinus);
+    spec.nominal = found->first;
+    spec.smallest = spec.nominal - (below ? below->second : 0);
+    spec.largest = spec.nominal + found->second;
+    return spec;
+  }
   const auto minusOnly = [](RowReader& reader) {
     reader.skipSpaces();
     return reader.dash();
@@ -225,9 +237,10 @@ std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantit
     const std::string_view unit = reader.letters();
     RowReader tolerance = reader;
     tolerance.skipSpaces();
-    if (tolerance.plusMinus() || tolerance.dash()) {
+    if (tolerance.plusMinus() || tolerance.dash() || tolerance.oneOf({"+"})) {
       tolerance.skipSpaces();
       if (tolerance.number()) reader = tolerance;
+      if (tolerance.oneOf({"/"}) && tolerance.dash() && tolerance.number()) reader = tolerance;
     }
     reader.skipSpaces();
     const std::string_view unitAfter = reader.letters();

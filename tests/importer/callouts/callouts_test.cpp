@@ -44,6 +44,14 @@ class NamedPoint {
     frame_.xLines.push_back({x, 2, true});
   }
 
+  /// Keeps the ends of the press and a point of its straight way, as a document may draw it.
+  void thinOut() {
+    StrokePoints& press = strokes_.press;
+    const std::size_t last = press.points.size() - 1;
+    press.points = {press.points[0], press.points[150], press.points[last]};
+    press.points_px = {press.points_px[0], press.points_px[150], press.points_px[last]};
+  }
+
   std::vector<Callout> read() const { return readCallouts(view_, frame_, axes_, strokes_); }
 
  private:
@@ -70,4 +78,19 @@ TEST_CASE("the curve beside its name is no leader, nor is a gridline") {
   NamedPoint below({220, 230, 320, 246});
   below.gridline(250);
   CHECK(below.read().empty());
+}
+
+TEST_CASE("a longer leader that passes by the text belongs to another one") {
+  NamedPoint plot({60, 60, 160, 76});
+  plot.line({140, 80}, NamedPoint::onPress(200));
+  plot.line({145.7, 30}, NamedPoint::onPress(230));
+  const auto found = plot.read();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].at_px.x == Approx(200).margin(6));
+}
+
+TEST_CASE("a press that a document draws with few points is no leader") {
+  NamedPoint plot({300, 110, 400, 126});
+  plot.thinOut();
+  CHECK(plot.read().empty());
 }

@@ -65,6 +65,22 @@ const Failure noRow{FailureCode::noForceGraph, "plot frame", {}, "no row of numb
 
 }  // namespace
 
+TEST_CASE("the most prominent tactile point is named, and those that rival it") {
+  struct Row {
+    std::vector<double> prominences_N;
+    const char* text;
+  };
+  const Row row = GENERATE(values<Row>({
+      {{}, "no tactile point"},
+      {{0.02, 0.19, 0.01}, "tactile point 2.000 mm 0.500 N"},
+      {{0.1, 0.02, 0.19}, "tactile point 1.000 mm 0.500 N or 3.000 mm 0.500 N"},
+  }));
+  ImportReport report = reportOf(4, 1, 0.9);
+  for (std::size_t i = 0; i < row.prominences_N.size(); ++i)
+    report.press.fit.tactilePoints.push_back({{double(i + 1), 0.5, row.prominences_N[i]}});
+  CHECK(report.brief().find(std::string(row.text) + "; release") != std::string::npos);
+}
+
 TEST_CASE("Two certain readings that agree leave the first as it is and are kept", "[second opinion]") {
   const auto best = settled(certain(1, 4), certain(2, 4.01), unasked, sure);
   REQUIRE(best.report);

@@ -58,6 +58,11 @@ TEST_CASE("Tolerances in the forms of datasheets become bounds in mm and N") {
   CHECK(travel.smallest.value() == Approx(3.6));
   CHECK(travel.largest.value() == Approx(4.0));
 
+  const auto uneven = only({{"Pre-Travel 1.7+0.4/-0.3 mm"}});
+  CHECK(uneven.nominal == Approx(1.7));
+  CHECK(uneven.smallest.value() == Approx(1.4));
+  CHECK(uneven.largest.value() == Approx(2.1));
+
   const auto unitInside = only({{"Pre Travel 预: 1.3mm±0.30"}});
   CHECK(unitInside.nominal == Approx(1.3));
   CHECK(unitInside.largest.value() == Approx(1.6));
