@@ -170,6 +170,7 @@ constexpr Wording<RemarkCode> remarkWords[] = {
      words("an operating point is printed, but was not placed")},
     {RemarkCode::resetPointNotPlaced, "reset-point-not-placed",
      words("a reset point is printed, but was not placed")},
+    {RemarkCode::errorBarsLeftOut, "error-bars-left-out", words("%1 error bars on the curves are left out")},
     {RemarkCode::releaseNotDrawn, "release-not-drawn",
      words("only the press was drawn by hand: the button has no release")}};
 
