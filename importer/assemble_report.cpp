@@ -260,6 +260,11 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
     if (std::ranges::none_of(report.callouts, [&](const Callout& each) { return each.kind == kind; }))
       report.remarks.push_back({kind == CalloutKind::operatingPoint ? RemarkCode::operatingPointNotPlaced
                                                                     : RemarkCode::resetPointNotPlaced});
+  for (const CurveTrace& trace : findings.traces)
+    if (trace.errorBars > 0) {
+      report.remarks.push_back({RemarkCode::errorBarsLeftOut, {trace.errorBars}});
+      break;
+    }
   if (!request.hints.drawn.press.empty() && !report.release)
     report.remarks.push_back({RemarkCode::releaseNotDrawn});
   auto steps = findings.graph.findings();

@@ -142,6 +142,7 @@ enum class RemarkCode {
   // printed on the page but not in the result
   operatingPointNotPlaced,  ///< the plot names one
   resetPointNotPlaced,      ///< the same
+  errorBarsLeftOut,         ///< number of bars
   releaseNotDrawn           ///< the press was drawn by hand, its release was not
 };
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "importer/page/quantile.h"
-#include "importer/trace/axis_line_cut.h"
+#include "importer/trace/edge_cut.h"
 
 namespace detent::importer::trace {
 

@@ -9,6 +9,7 @@
 #include "importer/page/pixel_components.h"
 #include "importer/trace/colour_shades.h"
 #include "importer/trace/dashes.h"
+#include "importer/trace/error_bars.h"
 
 namespace detent::importer::trace {
 
@@ -398,10 +399,21 @@ std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
 
 }  // namespace
 
+namespace {
+
+std::size_t eraseAllErrorBars(std::vector<Plane>& planes) {
+  std::size_t bars = 0;
+  for (Plane& plane : planes) bars += eraseErrorBars(plane);
+  return bars;
+}
+
+}  // namespace
+
 PlotColours::PlotColours(const PlotScene& itsScene, std::vector<PaletteColour> itsPalette)
     : scene(itsScene),
       palette(std::move(itsPalette)),
       coverage(unmix(scene, palette)),
+      errorBars(eraseAllErrorBars(coverage.planes)),
       samples(findLegendSamples(coverage, scene)) {
   clearPlotLines(coverage.planes, palette, scene, legendBoxes(samples));
 }

@@ -59,7 +59,8 @@ struct PlotColours {
 
   const PlotScene& scene;
   std::vector<PaletteColour> palette;
-  Coverage coverage;
+  Coverage coverage;          ///< without the error bars
+  std::size_t errorBars = 0;  ///< erased from it
   std::vector<LegendSample> samples;
   CurveChoiceOptions options = {};
 

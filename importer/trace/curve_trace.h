@@ -26,6 +26,7 @@ struct CurveTrace {
   Rgb color;
   bool fromVector = false;  ///< taken from the document's own paths: exact
   double confidence = 0;
+  std::size_t errorBars = 0;  ///< on the plot's curves, left out
   /// Set for graphs whose strokes share one colour, where the tracer separates them.
   std::optional<Stroke> stroke;
   std::string label;  ///< legend text of this colour or dash pattern, if any; several separated by " / "

@@ -12,13 +12,14 @@
 #include <optional>
 #include <set>
 
-#include "importer/trace/axis_line_cut.h"
 #include "importer/trace/bottom_outs.h"
 #include "importer/trace/centre_line.h"
 #include "importer/trace/colour_shades.h"
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/dashed_beside.h"
+#include "importer/trace/edge_cut.h"
+#include "importer/trace/error_bars.h"
 #include "importer/trace/legend_words.h"
 #include "importer/trace/line_ends.h"
 #include "importer/trace/plot_scene.h"
@@ -95,6 +96,7 @@ CurveTrace lineAlong(const CoarseCurve& path, const CurveField& field, double th
   finishEnds(line, field, area.frame);
   CurveTrace trace;
   trace.color = plot.colorOf(colour);
+  trace.errorBars = plot.errorBars;
   trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, path.coveredShare), 0.0, 1.0);
   Point last{};
   for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -506,9 +508,12 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
     // A press alone keeps its words: a legend with both keys in its colour names a release that was not
     // found.
     const auto loopIn = [&](const PaletteColour& colour, OtherColours others) {
-      auto loop =
-          traceLoop(scene.area(), coverageBy(colour, others, plot), plot.colorOf(colour), options, progress);
+      Plane own = coverageBy(colour, others, plot);
+      const std::size_t bars = eraseErrorBars(own);
+      auto loop = traceLoop(scene.area(), own, plot.colorOf(colour), options, progress);
       if (loop && loop->size() == 1) labelTraces(*loop, axes, view, scene);
+      if (loop)
+        for (CurveTrace& trace : *loop) trace.errorBars = bars;
       return loop;
     };
     if (curves.empty()) return loopIn(darkness(plot), OtherColours::ignored);
@@ -596,7 +601,6 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
   auto traces = traceRaster(scene, view, axes, hints, options, progress);
   if (!traces) return traces;
   for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, scene.plotFrame());
-  cutAlongAxisLine(*traces, scene);
   cutAcrossToEdges(*traces, scene);
   addLostBottomOuts(*traces, scene);
   return traces;

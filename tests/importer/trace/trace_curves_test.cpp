@@ -13,9 +13,9 @@
 #include "importer/page/document.h"
 #include "importer/page/polyline.h"
 #include "importer/page/same_colour.h"
-#include "importer/trace/axis_line_cut.h"
 #include "importer/trace/bottom_outs.h"
 #include "importer/trace/curve_trace.h"
+#include "importer/trace/edge_cut.h"
 #include "importer/trace/explanation.h"
 #include "importer/trace/legend_words.h"
 #include "importer/trace/plot_scene.h"
@@ -817,31 +817,6 @@ TEST_CASE("A press reaches the force from which its release comes back, though t
   std::vector<CurveTrace> traces{press, release};
   trace::addLostBottomOuts(traces, plot.scene());
   CHECK(std::abs(traces[0].points_px.back().y - plot.at(0, 0.9).y) < 3);
-}
-
-TEST_CASE("A stroke followed along the axis ends where it came down to it, unless it is drawn on there",
-          "[trace]") {
-  const double latched = 0.42;
-  Plot plot(700, 430);
-  plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 1, kBlack);
-  const Curve drawn = {{latched, 0}, {latched + 0.05, 0.22}, {0.8, 0.6}};
-  plot.line(plot.at(drawn), 2, kBlack);
-  const bool runsOn = GENERATE(false, true);
-  if (runsOn) plot.line(plot.at({{0.02, 0}, {latched, 0}}), 2, kBlack);
-  Curve followed = {{0.02, 0}};
-  followed.insert(followed.end(), drawn.begin(), drawn.end());
-  CurveTrace stroke;
-  stroke.points_px = dense(plot.at(followed));
-  const bool fromRight = GENERATE(false, true);
-  if (fromRight) std::ranges::reverse(stroke.points_px);
-  stroke.color = kBlack;
-  stroke.width_px.assign(stroke.points_px.size(), 2);
-  std::vector<CurveTrace> traces{stroke};
-  trace::cutAlongAxisLine(traces, plot.scene());
-  const auto [left, right] = std::ranges::minmax(traces[0].points_px, {}, &Point::x);
-  CHECK(std::abs(left.x - plot.at(runsOn ? 0.02 : latched, 0).x) < 4);
-  CHECK(std::abs(right.x - plot.at(0.8, 0).x) < 1);
-  CHECK(traces[0].width_px.size() == traces[0].points_px.size());
 }
 
 TEST_CASE("What a result leaves unexplained is found, with its likeness to a curve", "[trace]") {
@@ -1812,6 +1787,36 @@ TEST_CASE("A sample may have its curve's marker in the middle, and a box behind 
   const auto traces = plot.trace().value();
   CHECK(ofColor(traces, kRed).label == "Old one");
   CHECK(ofColor(traces, slate).label == "New one");
+}
+
+TEST_CASE("Error bars are left out, and a few marks across a curve are not error bars", "[trace]") {
+  Plot plot(900, 600);
+  plot.grid(5, 5, kGrey, 1);
+  const bool capped = GENERATE(true, false);
+  const bool several = GENERATE(true, false);  // at each point, or as drop lines at three
+  const Curve drawn[] = {plot.at(press()), plot.at(release())};
+  const Rgb colours[] = {kBlue, kRed};
+  constexpr double arm = 18, halfCap = 6;  // px
+  std::size_t bars = 0;
+  for (int k = 0; k < 2; ++k) {
+    plot.line(drawn[k], 2, colours[k]);
+    const Curve points = dense(drawn[k]);
+    const std::size_t step = points.size() / (several ? 16 : 4);
+    for (std::size_t i = step; i + step / 2 < points.size(); i += step) {
+      const Point p = points[i];
+      plot.line({{p.x, p.y - arm}, {p.x, p.y + arm}}, 2, colours[k]);
+      ++bars;
+      for (const double end : {-arm, arm})
+        if (capped) plot.line({{p.x - halfCap, p.y + end}, {p.x + halfCap, p.y + end}}, 2, colours[k]);
+    }
+  }
+  const auto traces = plot.trace().value();
+  REQUIRE(traces.size() == 2);
+  CHECK((traces[0].errorBars > bars / 2) == several);
+  CHECK((traces[0].errorBars > 0) == several);
+  if (!several) return;
+  CHECK(apart(ofColor(traces, kBlue).points_px, drawn[0]) < 0.3);
+  CHECK(apart(ofColor(traces, kRed).points_px, drawn[1]) < 0.3);
 }
 
 TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {

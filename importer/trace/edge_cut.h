@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Removes ends of strokes that were traced along the x axis. A self-locking key that stays down has no force
-// any more, so its release ends on the axis in the middle of the travel. Private to importer/trace.
+// Removes ends of strokes that were traced along an edge of the frame. Private to importer/trace.
 
 #include <vector>
 
@@ -9,10 +8,6 @@
 #include "importer/trace/plot_scene.h"
 
 namespace detent::importer::trace {
-
-/// Cuts traces where they run along the x axis and the axis is no thicker there than where no curve is near
-/// it. If the axis is as thick as the curves, nothing is cut.
-void cutAlongAxisLine(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
 /// Cuts traces where they cross bare paper to the frame's upper or right edge and then run along it.
 void cutAcrossToEdges(std::vector<CurveTrace>& traces, const PlotScene& scene);
