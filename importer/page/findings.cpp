@@ -176,6 +176,8 @@ constexpr Wording<RemarkCode> remarkWords[] = {
      words("the page states an operating point, but it could not be placed on the curve")},
     {RemarkCode::resetPointNotPlaced, "reset-point-not-placed",
      words("the page states a reset point, but it could not be placed on the curve")},
+    {RemarkCode::errorBarsLeftOut, "error-bars-left-out",
+     words("the curves carry error bars (%1); they are left out")},
     {RemarkCode::releaseNotDrawn, "release-not-drawn",
      words("only the press was drawn by hand: the button has no release")}};
 
