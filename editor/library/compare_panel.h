@@ -85,6 +85,9 @@ class ComparePanel : public QWidget {
   void exchange();
   const ButtonState* stateOf(const Side& side) const;
   void update();
+  void giveRoomToFigures();
+  int nameWidth() const;
+  int leastWidth(int column) const;
   void layOutTable();
   void fillTable(const std::vector<const ButtonState*>& states);
   QString distances(const std::vector<const ButtonState*>& states) const;

@@ -165,9 +165,7 @@ void KeyFiguresPanel::layOut() {
   }
   delegate_->alignDecimals(widest);
   name_px += figureTextMargin_px;
-  const int beside_px =
-      table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);
-  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others, beside_px});
+  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others});
 }
 
 // On a small screen the explanation is hidden first.

@@ -128,8 +128,8 @@
         <translation>Schnappverhältnis</translation>
     </message>
     <message>
-        <source>force at the start of the travel</source>
-        <translation>Kraft am Anfang des Wegs</translation>
+        <source>force at rest</source>
+        <translation>Kraft in Ruhe</translation>
     </message>
     <message>
         <source>largest force</source>
@@ -1102,16 +1102,16 @@ Lizenz: %3</translation>
         <translation>Spitzenkraft</translation>
     </message>
     <message>
-        <source>Travel to the peak</source>
-        <translation>Weg bis zur Spitze</translation>
+        <source>Peak travel</source>
+        <translation>Weg zur Spitze</translation>
     </message>
     <message>
         <source>Valley force</source>
         <translation>Talkraft</translation>
     </message>
     <message>
-        <source>Travel to the valley</source>
-        <translation>Weg bis zum Tal</translation>
+        <source>Valley travel</source>
+        <translation>Weg zum Tal</translation>
     </message>
     <message>
         <source>Tactile drop</source>
@@ -1154,8 +1154,8 @@ Lizenz: %3</translation>
         <translation>Kraft am Anschlag</translation>
     </message>
     <message>
-        <source>Travel to the bottom-out</source>
-        <translation>Weg bis zum Anschlag</translation>
+        <source>Bottom-out travel</source>
+        <translation>Weg zum Anschlag</translation>
     </message>
     <message>
         <source>Total travel</source>

@@ -201,7 +201,12 @@ void MainWindow::turn(QDockWidget& dock) {
   QWidget* inside = dock.widget();
   if (auto* stack = qobject_cast<QStackedWidget*>(inside); stack && stack->currentWidget())
     inside = stack->currentWidget();
-  if (inside) inside->setFocus();
+  if (!inside) return;
+  inside->setFocus();
+  // A table shows all of its columns.
+  const int wished_px = std::min(inside->sizeHint().width(), static_cast<int>(mostForInspector * width()));
+  layout()->activate();
+  if (&dock == valuesDock_ && dock.width() < wished_px) resizeDocks({&dock}, {wished_px}, Qt::Horizontal);
 }
 
 // ---- views of the centre

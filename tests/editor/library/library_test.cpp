@@ -164,7 +164,7 @@ class LibraryTest : public QObject {
              {KeyFigure::totalTravel, "Total travel"},
              {KeyFigure::preTravel, "Pre-travel"},
              {KeyFigure::resetTravel, "Reset point"},
-             {KeyFigure::bottomOutTravel, "Travel to the bottom-out"},
+             {KeyFigure::bottomOutTravel, "Bottom-out travel"},
              {KeyFigure::initialForce, "Initial force"},
              {KeyFigure::hysteresis, "Hysteresis"}}) {
       const DifferenceRow* row = rowNamed(rows, name);

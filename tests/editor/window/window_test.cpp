@@ -30,6 +30,7 @@
 #include <QSpinBox>
 #include <QStyleOptionComboBox>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -174,6 +175,12 @@ struct Rig {
   std::unique_ptr<MainWindow> window;
 };
 
+/// Written to the folder that DETENT_PICTURES names, if it does.
+void savePicture(QWidget& widget, const QString& name) {
+  if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty())
+    widget.grab().save(folder + '/' + name + ".png");
+}
+
 double luminance(const QColor& color) {
   const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
   return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
@@ -314,11 +321,9 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60000);
     QTest::qWait(100);
     cut << cutTexts(*import) << cutTexts(*rig.window->findChild<ComparePanel*>());
-    if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty()) {
-      rig.window->grab().save(folder + "/german-window.png");
-      import->grab().save(folder + "/german-import.png");
-      rig.window->findChild<ComparePanel*>()->grab().save(folder + "/german-compare.png");
-    }
+    savePicture(*rig.window, "german-window");
+    savePicture(*import, "german-import");
+    savePicture(*rig.window->findChild<ComparePanel*>(), "german-compare");
     import->close();
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
   }
@@ -1860,6 +1865,22 @@ class WindowTest : public QObject {
     QVERIFY2(table.contains("Pre-travel\t2\tmm\n"), qPrintable(table));
   }
 
+  void theTableOfValuesShowsAllItsColumns() {
+    for (const char* name : {"B", "EF"}) {
+      Rig rig(folder_->path());
+      rig.window->resize(1366, 768);
+      rig.window->files().open({sample("buttons/") + name + ".button.json"});
+      QTest::qWait(50);
+      rig.action("valuesDockToggle")->trigger();
+      QTest::qWait(50);
+      savePicture(*rig.window, QString("values-%1").arg(name));
+      const QHeaderView& heads =
+          *rig.window->findChild<ValuesPanel*>()->findChild<QTableView*>()->horizontalHeader();
+      QVERIFY2(heads.length() <= heads.viewport()->width(),
+               qPrintable(QString("%1 of %2 px").arg(heads.viewport()->width()).arg(heads.length())));
+    }
+  }
+
   void samplesAreWrittenAtGivenTravels() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
@@ -1880,6 +1901,31 @@ class WindowTest : public QObject {
     for (const char* wrong : {"0", "-1", "9 1", "two", "", "0.0000001"}) {
       QVERIFY2(exported(wrong, "wrong.csv").isEmpty(), wrong);
       QVERIFY2(!rig.notices().join(' ').contains(".."), qPrintable(rig.notices().join(' ')));
+    }
+  }
+
+  // In a window of 1366 x 768, whatever the number of buttons; with many the numbers scroll.
+  void namesOfAComparisonAreReadWhole() {
+    Rig rig(folder_->path());
+    rig.window->resize(1366, 768);
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/E.button.json")});
+    rig.action("compare")->trigger();
+    auto* panel = rig.window->findChild<ComparePanel*>();
+    auto* table = panel->findChild<QTableWidget*>("compareTable");
+    for (int buttons = 2; buttons <= static_cast<int>(ComparePanel::mostSides); ++buttons) {
+      QTest::qWait(50);
+      savePicture(*rig.window, QString("compare-%1").arg(buttons));
+      const QHeaderView& names = *table->verticalHeader();
+      const int room_px = names.isVisible()
+                              ? names.width() - 2 * names.style()->pixelMetric(QStyle::PM_HeaderMargin)
+                              : table->columnWidth(0) - 6;
+      for (int row = 0; row < table->rowCount(); ++row) {
+        const QString name = table->item(row, 0)->text();
+        QVERIFY2(table->fontMetrics().horizontalAdvance(name) <= room_px,
+                 qPrintable(QString("%1 buttons, %2 px: %3").arg(buttons).arg(room_px).arg(name)));
+      }
+      if (buttons <= 3) QVERIFY2(names.isHidden(), qPrintable(QString::number(buttons)));
+      panel->findChild<QPushButton*>("compareAdd")->click();
     }
   }
 
