@@ -136,8 +136,8 @@ QWidget* ComparePanel::figureSide() {
   auto* below = new QHBoxLayout;
   below->addWidget(copy);
   below->addStretch();
-  auto* side = new QWidget;
-  auto* column = new QVBoxLayout(side);
+  figures_ = new QWidget;
+  auto* column = new QVBoxLayout(figures_);
   column->setContentsMargins(4, 2, 4, 2);
   column->addLayout(rows_ = new QVBoxLayout);
   column->addLayout(buttons);
@@ -145,6 +145,11 @@ QWidget* ComparePanel::figureSide() {
   column->addLayout(below);
   column->addWidget(distance_);
   column->addWidget(forecast_);
+  auto* side = new QWidget;
+  auto* either = new QVBoxLayout(side);
+  either->setContentsMargins(0, 0, 0, 0);
+  either->addWidget(figures_);
+  either->addWidget(alone_ = offerSide());
   // The content scrolls if it has too little room.
   auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Comparison table"));
   scroll->setFrameShape(QFrame::NoFrame);
@@ -152,6 +157,29 @@ QWidget* ComparePanel::figureSide() {
   scroll->setWidgetResizable(true);
   scroll->setWidget(side);
   return scroll;
+}
+
+QWidget* ComparePanel::offerSide() {
+  auto* side = described(new QWidget, "compareAlone");
+  auto* column = new QVBoxLayout(side);
+  QLabel* what = wrappingLabel("compareWhat");
+  what->setText(tr("A comparison needs a second button. Choose where it comes from:"));
+  column->addWidget(what);
+  column->addLayout(ways_ = new QVBoxLayout);
+  column->addStretch();
+  return side;
+}
+
+void ComparePanel::offer(const QList<QAction*>& ways) {
+  while (QLayoutItem* item = ways_->takeAt(0)) {
+    item->widget()->deleteLater();  // later, because the click may come from it
+    delete item;
+  }
+  for (QAction* way : ways) ways_->addWidget(buttonOf(*way, "compare_"));
+}
+
+bool ComparePanel::isAlone() const {
+  return documents_.empty() || (documents_.size() == 1 && documents_.front()->button().states().size() == 1);
 }
 
 void ComparePanel::resizeEvent(QResizeEvent* event) {
@@ -352,14 +380,16 @@ void ComparePanel::update() {
     if (!state) continue;
     states.push_back(state);
     graphs.push_back({nameOf(*side), state->graph});
+    if (isAlone()) break;
   }
   forecast_->setPair(sides_[0]->document, sides_[1]->document);
   more_->setEnabled(sides_.size() < mostSides && !documents_.empty());
   fewer_->setEnabled(sides_.size() > 2);
   plot_->setGraphs(std::move(graphs), settings_.units());
   fillTable(states);
-  const bool alone = states.size() < 2 || documents_.size() < 2;
-  distance_->setText(alone ? tr("Open two buttons to compare them.") : distances(states));
+  distance_->setText(distances(states));
+  figures_->setVisible(!isAlone());
+  alone_->setVisible(isAlone());
 }
 
 QString ComparePanel::distances(const std::vector<const ButtonState*>& states) const {

@@ -3606,10 +3606,6 @@ Lizenz: %3</translation>
         <translation>Zustand von Taster %1</translation>
     </message>
     <message>
-        <source>Open two buttons to compare them.</source>
-        <translation>Öffnen Sie zwei Taster, um sie zu vergleichen.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -3652,6 +3648,10 @@ Lizenz: %3</translation>
     <message>
         <source>Comparison table</source>
         <translation>Vergleichstabelle</translation>
+    </message>
+    <message>
+        <source>A comparison needs a second button. Choose where it comes from:</source>
+        <translation>Ein Vergleich braucht einen zweiten Taster. Woher soll er kommen?</translation>
     </message>
 </context>
 <context>
@@ -7396,6 +7396,14 @@ Lizenz: %3</translation>
     <message>
         <source>Redo</source>
         <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The reference curve, %1</source>
+        <translation>Die Referenzkurve, %1</translation>
+    </message>
+    <message>
+        <source>Open the reference curve as a button and compare it</source>
+        <translation>Die Referenzkurve als Taster öffnen und vergleichen</translation>
     </message>
 </context>
 <context>

@@ -148,11 +148,7 @@ MainWindow::~MainWindow() {
 // ---- the parts
 
 void MainWindow::makeCentre() {
-  QList<QAction*> ways;
-  for (const char* name : {"import", "new", "open", "trySample"})
-    for (QAction* way : ownActions_)
-      if (way->objectName() == name) ways << way;
-  welcome_ = new WelcomePage(ways);
+  welcome_ = new WelcomePage(actionsNamed({"import", "new", "open", "trySample"}));
   tabs_ = new TabArea(welcome_, at_.view);
   notices_ = described(new NoticeBar, "windowNotices");
   files_ =
@@ -178,6 +174,14 @@ void MainWindow::makeCentre() {
   connect(files_, &FileController::done, this,
           [this](const QString& sentence) { statusBar()->showMessage(sentence, messageTime_ms); });
   connect(&files_->recent(), &RecentFiles::changed, this, &MainWindow::updateRecent);
+}
+
+QList<QAction*> MainWindow::actionsNamed(std::initializer_list<const char*> names) const {
+  QList<QAction*> named;
+  for (const char* name : names)
+    for (QAction* action : ownActions_)
+      if (action->objectName() == name) named << action;
+  return named;
 }
 
 QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWidgetArea area,
@@ -220,6 +224,7 @@ void MainWindow::showView(CentreView view) {
                                       {showCompare_, CentreView::compare},
                                       {showFeel_, CentreView::feel}})
     action->setChecked(view == shown);
+  if (view == CentreView::compare && comparison_->isAlone()) offerToCompare();
   centre_->setCurrentIndex(view == CentreView::compare ? 1 : 0);
   const bool feelShown = feelArea_->isVisibleTo(centre_->widget(0));
   feelArea_->setVisible(view == CentreView::feel);
@@ -397,7 +402,8 @@ void MainWindow::connectTabs() {
 
 void MainWindow::adopt(DocumentTab& tab) {
   sessionHeld_ = false;
-  if (view_ == CentreView::compare) showView(CentreView::edit);  // an opened button must be visible
+  // An opened button must be visible; a comparison that waits for a second button shows it.
+  if (view_ == CentreView::compare && !comparison_->isAlone()) showView(CentreView::edit);
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
   connect(&tab.workspace(), &GraphWorkspace::buttonCopyRequested, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
@@ -472,7 +478,12 @@ void MainWindow::updateDocuments() {
   const std::vector<ButtonDocument*> documents = tabs_->documents();
   DocumentTab* current = tabs_->current();
   library_->setDocuments(documents, current ? &current->document() : nullptr);
-  if (comparison_) comparison_->setDocuments(documents);
+  if (comparison_) {
+    const bool waiting = view_ == CentreView::compare && comparison_->isAlone() && documents.size() > 1;
+    comparison_->setDocuments(documents);
+    if (waiting) compareAll({documents.front(), documents.back()});
+    if (comparison_->isAlone()) offerToCompare();
+  }
   if (forecasts_) forecasts_->setDocuments(documents);
   if (measured_) measured_->followDocuments();
   if (!feel_) return;
@@ -531,6 +542,23 @@ void MainWindow::makeComparison() {
   comparison_ = new ComparePanel(at_.view);
   connect(comparison_, &ComparePanel::pictureRequested, this, &MainWindow::writeComparison);
   compareArea_->setWidget(comparison_);
+}
+
+// The ways to a second button; also the reference curve of the shown one, which is compared as a button.
+void MainWindow::offerToCompare() {
+  QList<QAction*> ways = actionsNamed({"open", "import", "new", "measured"});
+  if (reference_) reference_->deleteLater();  // later, because it may be what was triggered
+  DocumentTab* tab = tabs_->current();
+  if (const std::optional<Reference> shown = tab ? tab->workspace().canvas().reference() : std::nullopt) {
+    reference_ = described(new QAction(tr("The reference curve, %1").arg(shown->name), this), "reference",
+                           tr("Open the reference curve as a button and compare it"));
+    connect(reference_, &QAction::triggered, this, [this, reference = *shown] {
+      if (const auto button = Button::fromStates(reference.name.toStdString(), {reference.state}))
+        openAll({*button});
+    });
+    ways.prepend(reference_);
+  }
+  comparison_->offer(ways);
 }
 
 void MainWindow::writeComparison() {

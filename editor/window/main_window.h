@@ -128,6 +128,8 @@ class MainWindow : public QMainWindow {
   void showTab(DocumentTab* tab);
   void updateDocuments();
   void makeComparison();
+  void offerToCompare();
+  QList<QAction*> actionsNamed(std::initializer_list<const char*> names) const;
   void compareShown(DocumentTab& tab);
   void putDocksAway(bool away);
   QList<QDockWidget*> inspectorDocks() const;
@@ -174,6 +176,7 @@ class MainWindow : public QMainWindow {
   ForecastMatrix* forecasts_ = nullptr;
   ExperimenterDialog* study_ = nullptr;
   MeasuredWindow* measured_ = nullptr;
+  QPointer<QAction> reference_;  // opens the reference curve as a button, while one is offered
   QPointer<QDialog> guide_, glossary_, preferences_;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *inspectorDock_ = nullptr,
               *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr;

@@ -1929,6 +1929,45 @@ class WindowTest : public QObject {
     }
   }
 
+  // One open button: the comparison says what it needs, and the second button joins it.
+  void aComparisonOfOneButtonLeadsToASecondOne() {
+    Rig rig(folder_->path());
+    rig.window->resize(1366, 768);
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.action("compare")->trigger();
+    auto* panel = rig.window->findChild<ComparePanel*>();
+    const auto visible = [&](const char* name) { return panel->findChild<QWidget*>(name)->isVisible(); };
+    QTest::qWait(50);
+    savePicture(*rig.window, "compare-alone");
+    QVERIFY(visible("compareAlone") && !visible("compareTable"));
+    QVERIFY(panel->findChild<QLabel*>("compareWhat")->text().contains("second button"));
+    for (const char* way : {"compare_open", "compare_new", "compare_measured"}) QVERIFY2(visible(way), way);
+    QVERIFY(!panel->findChild<QPushButton*>("compare_reference"));
+    rig.prompts.openAnswers = {{sample("buttons/C.button.json")}};
+    panel->findChild<QPushButton*>("compare_open")->click();
+    QTest::qWait(50);
+    QVERIFY(panel->isVisible() && visible("compareTable") && !visible("compareAlone"));
+    const auto choice = [&](const char* name) { return panel->findChild<QComboBox*>(name)->currentText(); };
+    QCOMPARE(choice("compareButtonA"), rig.window->tabs().all()[0]->document().title());
+    QCOMPARE(choice("compareButtonB"), rig.window->tabs().all()[1]->document().title());
+
+    // A reference curve that stands behind the button is one of the ways.
+    rig.window->tabs().remove(*rig.window->tabs().all()[1]);
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    canvas.showReference(Reference{canvas.state(), "as measured"});
+    rig.action("edit")->trigger();
+    rig.action("compare")->trigger();
+    panel->findChild<QPushButton*>("compare_reference")->click();
+    QVERIFY(visible("compareTable"));
+    QCOMPARE(choice("compareButtonB"), QString("as measured"));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    // The two states of one button are a comparison.
+    for (DocumentTab* tab : rig.window->tabs().all()) rig.window->tabs().remove(*tab);
+    rig.window->files().open({sample("buttons/latch.button.json")});
+    rig.action("compare")->trigger();
+    QVERIFY(visible("compareTable"));
+  }
+
   void comparesTheOpenOnes() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
