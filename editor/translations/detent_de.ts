@@ -6742,6 +6742,10 @@ Lizenz: %3</translation>
         <source>Key closed</source>
         <translation>Taste geschlossen</translation>
     </message>
+    <message>
+        <source>For your own sensor: a CSV file of two columns, the displacement from rest in mm, increasing, and the reading in counts of your converter, which only rises or only falls. Two rows or more. Example:</source>
+        <translation>Für den eigenen Sensor: eine CSV-Datei mit zwei Spalten, dem Weg ab der Ruhelage in mm, steigend, und dem Messwert in Schritten des Wandlers, der nur steigt oder nur fällt. Mindestens zwei Zeilen. Beispiel:</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MainWindow</name>
