@@ -7409,6 +7409,14 @@ Lizenz: %3</translation>
         <source>Open the reference curve as a button and compare it</source>
         <translation>Die Referenzkurve als Taster öffnen und vergleichen</translation>
     </message>
+    <message>
+        <source>As on the &amp;page</source>
+        <translation>Wie auf der &amp;Seite</translation>
+    </message>
+    <message>
+        <source>Show each button in the units of the page that it was read from</source>
+        <translation>Jeden Taster in den Einheiten der Seite zeigen, von der er gelesen wurde</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>

@@ -37,6 +37,7 @@
 #include "editor/panels/key_figures_model.h"
 #include "editor/panels/key_figures_panel.h"
 #include "editor/quantity/quantity.h"
+#include "editor/quantity/reading_error.h"
 #include "editor/study/experimenter_dialog.h"
 #include "editor/window/appearance.h"
 #include "editor/window/graph_print.h"
@@ -441,6 +442,7 @@ void MainWindow::letGo(DocumentTab& tab) {
 }
 
 void MainWindow::showTab(DocumentTab* tab) {
+  at_.view.setPageUnits(tab ? unitsOfPage(tab->document().button()) : std::nullopt);
   showTabActions(tab);
   for (QAction* action : needTab_) action->setEnabled(tab != nullptr);
   if (tab) {
@@ -694,6 +696,7 @@ void MainWindow::updateUnits() {
     if (unit->data().toString() == "length:" + units.lengthSymbol()) unit->setChecked(true);
     if (unit->data().toString() == "force:" + units.forceSymbol()) unit->setChecked(true);
   }
+  pageUnits_->setChecked(!at_.view.unitsChosen());
   showCursor({});
 }
 

@@ -205,7 +205,7 @@ class MainWindow : public QMainWindow {
   QMenu* buttonMenu_ = nullptr;
   std::array<TabMenu, GraphWorkspace::editGroups> editMenus_;
   TabMenu toolMenu_, viewMenu_;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr, *pageUnits_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
   bool sessionHeld_ = true;  ///< do not store the session: no file is open yet, or all are closing
 };

@@ -1865,6 +1865,40 @@ class WindowTest : public QObject {
     QVERIFY2(table.contains("Pre-travel\t2\tmm\n"), qPrintable(table));
   }
 
+  // A button that was read from a page in gf is shown in gf, until the user chooses a unit.
+  void theUnitsOfThePageStayUntilOthersAreChosen() {
+    Rig rig(folder_->path());
+    const auto read = readButtonFile(sample("buttons/B.button.json").toStdString());
+    QVERIFY(read.ok());
+    Provenance from;
+    from.xAxis = AxisProvenance{"mm", 0, 4, 0.3, DecidedBy::found};
+    from.yAxis = AxisProvenance{"gf", 0, 120, 0.3, DecidedBy::found};
+    const auto ofPage = Button::fromStates("in gf", read->states(), from);
+    QVERIFY(ofPage.ok());
+    const auto shown = [&] { return rig.window->findChild<QToolButton*>("unitButton")->text(); };
+    QCOMPARE(shown(), QString("mm, cN"));
+    DocumentTab& inGf = rig.window->tabs().add(std::make_unique<ButtonDocument>(*ofPage));
+    QCOMPARE(shown(), QString("mm, gf"));
+    rig.window->files().open({sample("buttons/C.button.json")});
+    QCOMPARE(shown(), QString("mm, cN"));
+    rig.window->tabs().show(inGf.document());
+    QCOMPARE(shown(), QString("mm, gf"));
+    storeView(rig.view, rig.settings);  // units that nobody chose are not chosen for the next run
+    ViewSettings next;
+    restoreView(next, rig.settings);
+    QVERIFY(!next.unitsChosen());
+    rig.action("unit_force_N")->trigger();
+    QCOMPARE(shown(), QString("mm, N"));
+    rig.window->tabs().show(rig.window->tabs().all()[1]->document());
+    QCOMPARE(shown(), QString("mm, N"));
+    storeView(rig.view, rig.settings);
+    restoreView(next, rig.settings);
+    QVERIFY(next.unitsChosen() && next.units().force == ForceUnit::newton);
+    rig.window->tabs().show(inGf.document());
+    rig.action("unitsOfPage")->trigger();
+    QCOMPARE(shown(), QString("mm, gf"));
+  }
+
   void theTableOfValuesShowsAllItsColumns() {
     for (const char* name : {"B", "EF"}) {
       Rig rig(folder_->path());
