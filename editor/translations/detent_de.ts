@@ -4164,10 +4164,6 @@ Lizenz: %3</translation>
         <translation>Kurvenwerte exportieren</translation>
     </message>
     <message>
-        <source>CSV, mm and N</source>
-        <translation>CSV, mm und N</translation>
-    </message>
-    <message>
         <source>SVG drawing</source>
         <translation>SVG-Zeichnung</translation>
     </message>
@@ -4208,10 +4204,6 @@ Lizenz: %3</translation>
         <translation>Graphen exportieren</translation>
     </message>
     <message>
-        <source>CSV with semicolons, mm and N</source>
-        <translation>CSV mit Semikolons, mm und N</translation>
-    </message>
-    <message>
         <source>Export as a data package</source>
         <translation>Als Datenpaket exportieren</translation>
     </message>
@@ -4250,6 +4242,18 @@ Lizenz: %3</translation>
     <message>
         <source>C header</source>
         <translation>C-Header</translation>
+    </message>
+    <message>
+        <source>%1, %2 and %3</source>
+        <translation>%1, %2 und %3</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>CSV with semicolons</source>
+        <translation>CSV mit Strichpunkten</translation>
     </message>
 </context>
 <context>

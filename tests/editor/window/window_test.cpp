@@ -1915,6 +1915,33 @@ class WindowTest : public QObject {
     }
   }
 
+  // The dialogue names the units of the columns: mm and N as in every file, or those of the window.
+  void samplesAreWrittenInTheUnitsThatAreChosen() {
+    Rig rig(folder_->path());
+    rig.view.setUnits({LengthUnit::micrometre, ForceUnit::gramForce});
+    rig.window->files().open({sample("buttons/B.button.json")});
+    for (const auto& [action, filter, header, first] :
+         {std::tuple{"exportCsv", 0, "stroke,displacement_mm,force_N", "press,0,0.32"},
+          {"exportCsv", 1, "stroke,displacement_µm,force_gf", "press,0,32.630918"},
+          {"exportSemicolonCsv", 0, "stroke;displacement_mm;force_N", "press;0;0,32"},
+          {"exportSemicolonCsv", 1, "stroke;displacement_µm;force_gf", "press;0;32,630918"},
+          {"exportCsvAt", 1, "stroke,displacement_µm,force_gf", "press,0,32.630918"}}) {
+      rig.prompts.textAnswers = {QString("0.5 mm")};
+      rig.prompts.saveAnswers = {at("units.csv")};
+      rig.prompts.filterAnswer = filter;
+      rig.action(action)->trigger();
+      const QStringList filters = rig.prompts.lastFilter.split(";;");
+      QCOMPARE(filters.size(), 2);
+      QVERIFY2(filters[0].contains("mm and N") && filters[1].contains("µm and gf"),
+               qPrintable(rig.prompts.lastFilter));
+      QFile written(at("units.csv"));
+      QVERIFY(written.open(QIODevice::ReadOnly));
+      const QStringList lines = QString::fromUtf8(written.readAll()).split('\n');
+      QCOMPARE(lines[0], QString::fromUtf8(header));
+      QVERIFY2(lines[1].startsWith(QLatin1String(first)), qPrintable(lines[1]));
+    }
+  }
+
   void samplesAreWrittenAtGivenTravels() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
