@@ -444,6 +444,25 @@ Lizenz: %3</translation>
     </message>
 </context>
 <context>
+    <name>Moves</name>
+    <message>
+        <source>the press from %1 to %2</source>
+        <translation>den Hinweg von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the release from %1 to %2</source>
+        <translation>den Rückweg von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Moves %1.</source>
+        <translation>Bewegt %1.</translation>
+    </message>
+    <message>
+        <source>Also changes: %1.</source>
+        <translation>Ändert auch: %1.</translation>
+    </message>
+</context>
+<context>
     <name>PageWords</name>
     <message>
         <source>Source: %1, page %2, graph %3</source>
