@@ -1915,6 +1915,26 @@ class WindowTest : public QObject {
     }
   }
 
+  // A dialogue beside the graph opens on the screen, wherever the window is.
+  void dialoguesBesideTheGraphOpenOnTheScreen() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    const QRect screen = rig.window->screen()->availableGeometry();
+    rig.window->resize(screen.size());
+    for (const QPoint& place : {screen.topLeft(), screen.bottomRight() - QPoint(200, 150),
+                                QPoint(screen.left() - rig.window->width() + 50, screen.top() - 300)}) {
+      rig.window->move(place);
+      QTest::qWait(20);
+      rig.action("operationContacts")->trigger();
+      auto* dialog = rig.window->findChild<OperationDialog*>();
+      QVERIFY(dialog && dialog->isVisible());
+      QVERIFY2(screen.contains(QRect(dialog->pos(), dialog->size() + QSize(8, 40))),
+               qPrintable(QString("%1, %2").arg(dialog->x()).arg(dialog->y())));
+      dialog->reject();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+  }
+
   // The dialogue names the units of the columns: mm and N as in every file, or those of the window.
   void samplesAreWrittenInTheUnitsThatAreChosen() {
     Rig rig(folder_->path());
