@@ -3535,6 +3535,10 @@ Lizenz: %3</translation>
         <source>It needs more memory than there is.</source>
         <translation>Sie braucht mehr Speicher, als da ist.</translation>
     </message>
+    <message>
+        <source>The reader crashed or hung on this file.</source>
+        <translation>Das Lesen dieser Datei ist abgestürzt oder stehen geblieben.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ButtonDocument</name>
