@@ -8,7 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/files/recent_files.h"
 
 namespace detent::editor {
