@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "editor/document/large_blocks.h"
+#include "editor/importing/batch_import.h"
 #include "editor/window/appearance.h"
 #include "editor/window/arguments.h"
 #include "editor/window/main_window.h"
@@ -50,11 +51,15 @@ bool screenMissing(const QStringList& words) {
   return windowsByServer && words.filter("-platform").isEmpty() && !words.contains("-display");
 }
 
+void setUp(QCoreApplication& app, const QSettings& settings) {
+  QLocale::setDefault(chosenLocale(settings));
+  installTranslation(app, QLocale());
+}
+
 int run(QApplication& app) {
   const Arguments arguments = argumentsFrom(QCoreApplication::arguments().mid(1));  // without Qt's own
   QSettings settings;
-  QLocale::setDefault(chosenLocale(settings));
-  installTranslation(app, QLocale());
+  setUp(app, settings);
   ViewSettings view;
   restoreView(view, settings);
   Prompts prompts;
@@ -76,7 +81,15 @@ int main(int argc, char** argv) {
   giveLargeBlocksBack();
   QStringList words;
   for (int i = 1; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
+  QCoreApplication::setOrganizationName("Detent");
+  QCoreApplication::setApplicationName("detent-edit");
+  QCoreApplication::setApplicationVersion(version());
   try {
+    if (words.value(0) == batchWorkerOption) {
+      QCoreApplication app(argc, argv);
+      setUp(app, QSettings());
+      return importForBatch(words.mid(1));
+    }
     if (const auto answered = answeredAtOnce(argumentsFrom(words))) return *answered;
     if (screenMissing(words))
       return wrong(
@@ -88,9 +101,6 @@ int main(int argc, char** argv) {
     // Qt has applied the desktop's locale to the C library too. Files and drawings use a decimal point; texts
     // for the user go through QLocale.
     std::setlocale(LC_NUMERIC, "C");
-    QCoreApplication::setOrganizationName("Detent");
-    QCoreApplication::setApplicationName("detent-edit");
-    QCoreApplication::setApplicationVersion(version());
     QGuiApplication::setDesktopFileName("detent-edit");
     return run(app);
   } catch (const std::exception& fault) {

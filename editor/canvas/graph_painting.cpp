@@ -330,18 +330,24 @@ constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // distance of a label with two or three lines
 constexpr double measureGap_px = 8;   // distance between a measured line and its label
 
-/// Points on both strokes, close enough to tell whether a label covers them.
+/// Points on both strokes and on the line at the end of the travel, close enough to tell whether a label
+/// covers them.
 std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& scene) {
-  constexpr int samples = 80;
+  constexpr double apart_px = 4;  // far less than the height of a label
   std::vector<QPointF> points;
   for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     if (stroke == Stroke::release && !scene.state.graph.release()) continue;
     const StrokeCurve& curve = scene.state.graph.curve(stroke);
-    for (int i = 0; i <= samples; ++i) {
-      const double at_mm = curve.start_mm() + curve.travel_mm() * i / samples;
-      points.push_back(map.toPixel(at_mm, curve.forceBefore_N(at_mm)));
+    const QPolygonF line = curveOutline(curve, curve.start_mm(), curve.end_mm(), map);
+    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+      const QLineF part(line[i], line[i + 1]);
+      const int steps = 1 + static_cast<int>(part.length() / apart_px);
+      for (int k = 0; k < steps; ++k) points.push_back(part.pointAt(static_cast<double>(k) / steps));
     }
+    if (!line.isEmpty()) points.push_back(line.back());
   }
+  const double end_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
+  for (double y = map.clip_px.top(); y < map.clip_px.bottom(); y += apart_px) points.emplace_back(end_px, y);
   return points;
 }
 

@@ -28,4 +28,7 @@ struct DisplayUnits {
   friend bool operator==(const DisplayUnits&, const DisplayUnits&) = default;
 };
 
+/// The units of all files.
+inline constexpr DisplayUnits modelUnits{LengthUnit::millimetre, ForceUnit::newton};
+
 }  // namespace detent::editor

@@ -2,6 +2,7 @@
 #pragma once
 // Labels, buttons and steps that several windows share.
 
+#include <QAction>
 #include <QLabel>
 #include <QPushButton>
 
@@ -21,6 +22,13 @@ inline QLabel* wrappingLabel(const QString& name) {
 inline QPushButton* plainButton(const QString& name, const QString& text, const QString& tip) {
   auto* button = described(new QPushButton(text), name, tip);
   button->setAutoDefault(false);
+  return button;
+}
+
+/// A button that triggers an action, with its text and tool tip; named `prefix` and the action's name.
+inline QPushButton* buttonOf(QAction& action, const QString& prefix) {
+  auto* button = described(new QPushButton(action.text()), prefix + action.objectName(), action.toolTip());
+  QObject::connect(button, &QPushButton::clicked, &action, &QAction::trigger);
   return button;
 }
 

@@ -55,11 +55,12 @@ GraphColors graphColors(bool dark) {
 }
 
 QColor seriesColor(std::size_t index, bool dark) {
-  const GraphColors colors = graphColors(dark);
-  // Leaves out the release colour, which means the release in every picture.
-  const std::array<QColor, seriesColors> series{colors.press,        colors.operatingPoint, colors.resetPoint,
-                                                colors.tactilePoint, colors.text,           colors.bottomOut};
-  return series[index % series.size()];
+  // The first is the press, and none is the release. Any two differ by more than 20 in CIELAB, also as seen
+  // without one kind of cones.
+  constexpr std::array<const char*, seriesColors> onLight{"#0072b2", "#c5426e", "#325910",
+                                                          "#8a136f", "#241a20", "#a78654"},
+      onDark{"#56b4e9", "#e2d071", "#c5308e", "#1b8013", "#f5fdfb", "#965e58"};
+  return (dark ? onDark : onLight)[index % seriesColors];
 }
 
 bool isDark(const QPalette& palette) {

@@ -9,8 +9,6 @@
 
 namespace detent::editor {
 
-inline constexpr DisplayUnits modelUnits{LengthUnit::millimetre, ForceUnit::newton};
-
 /// Translations of patterns have the context "detent".
 QString inWords(const Message& message, const DisplayUnits& units = modelUnits);
 

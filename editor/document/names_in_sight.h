@@ -43,13 +43,12 @@ struct NamedTable {
   int nameColumn = 0;
   int names_px = 0;    ///< width of the widest name
   int numbers_px = 0;  ///< width of the other columns together
-  int beside_px = 0;   ///< width of the other columns that should be visible beside a name
 };
 
 /// Shows the row names in their column if the whole table has space; else in the vertical header, which the
-/// model must fill too (best a ShorteningHeader) and which stays while the numbers scroll. GUI thread.
+/// model must fill too (best a ShorteningHeader) and which stays while the numbers scroll. The names then have
+/// half of the table at most. GUI thread.
 inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
-  constexpr int leastName_px = 90;
   QHeaderView& names = *table.verticalHeader();
   const int room_px = widthForColumns_px(table);
   const bool narrow = needed.names_px + needed.numbers_px > room_px;
@@ -59,8 +58,7 @@ inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
   names.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   names.setHighlightSections(false);
   names.setSectionResizeMode(QHeaderView::Fixed);
-  const int beside_px = room_px - needed.numbers_px < leastName_px ? needed.beside_px : needed.numbers_px;
-  names.setFixedWidth(std::min(needed.names_px, std::max(leastName_px, room_px - beside_px)));
+  names.setFixedWidth(std::min(needed.names_px, std::max(room_px / 2, room_px - needed.numbers_px)));
 }
 
 }  // namespace detent::editor

@@ -5,10 +5,30 @@
 
 namespace detent::editor {
 
+template <class Change>
+void ViewSettings::changeUnits(const Change& change) {
+  const DisplayUnits before = units();
+  const bool chosenBefore = unitsChosen_;
+  change();
+  if (units() != before || unitsChosen_ != chosenBefore) emit changed();
+}
+
 void ViewSettings::setUnits(const DisplayUnits& units) {
-  if (units == units_) return;
-  units_ = units;
-  emit changed();
+  changeUnits([&] {
+    units_ = units;
+    unitsChosen_ = true;
+  });
+}
+
+void ViewSettings::followPages() {
+  changeUnits([&] {
+    units_ = {};
+    unitsChosen_ = false;
+  });
+}
+
+void ViewSettings::setPageUnits(const std::optional<DisplayUnits>& units) {
+  changeUnits([&] { pageUnits_ = units; });
 }
 
 void ViewSettings::setSnap(const SnapSettings& snap) {

@@ -2,6 +2,7 @@
 #pragma once
 // Settings of display and snapping, shared by all parts of a window; not part of any button.
 
+#include <optional>
 #include <QObject>
 
 #include "editor/document/display_units.h"
@@ -28,8 +29,16 @@ class ViewSettings : public QObject {
  public:
   using QObject::QObject;
 
-  const DisplayUnits& units() const { return units_; }
+  /// Units of everything shown: those the user has chosen; else those of the page that the shown button was
+  /// read from; else mm and cN.
+  const DisplayUnits& units() const { return pageUnits_ && !unitsChosen_ ? *pageUnits_ : units_; }
+  /// The user chooses units.
   void setUnits(const DisplayUnits& units);
+  bool unitsChosen() const { return unitsChosen_; }
+  /// Shows each button in the units of its page again.
+  void followPages();
+  /// Units of the page of the button that is shown now; nullopt if it has none.
+  void setPageUnits(const std::optional<DisplayUnits>& units);
   const SnapSettings& snap() const { return snap_; }
   void setSnap(const SnapSettings& snap);
   /// 0 hides the datasheet page.
@@ -44,11 +53,16 @@ class ViewSettings : public QObject {
   void changed();
 
  private:
+  template <class Change>
+  void changeUnits(const Change& change);
+
   DisplayUnits units_;
   SnapSettings snap_;
   double underlayOpacity_ = 0.5;
   bool residualsShown_ = false;
   Appearance appearance_ = Appearance::system;
+  std::optional<DisplayUnits> pageUnits_;
+  bool unitsChosen_ = false;
 };
 
 }  // namespace detent::editor

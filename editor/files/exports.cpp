@@ -33,13 +33,31 @@ std::string pressName(double wayDown_s) {
 
 }  // namespace
 
-QString csvText(const Button& button, std::size_t state) {
+QString csvText(const Button& button, std::size_t state, const DisplayUnits& units) {
   DETENT_CHECK(state < button.states().size(), "the state to export is one of the button's");
-  return QString::fromStdString(csvFrom(button.states()[state].graph));
+  return inUnits(QString::fromStdString(csvFrom(button.states()[state].graph)), units);
 }
 
-Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path) {
-  return writeTextFileAtomically(nativePath(path), csvText(button, state).toStdString());
+QString inUnits(const QString& csv, const DisplayUnits& units) {
+  if (units == modelUnits) return csv;
+  constexpr int digits = 12;
+  QStringList lines = csv.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  lines[0] = QStringLiteral("stroke,displacement_%1,force_%2").arg(units.lengthSymbol(), units.forceSymbol());
+  for (qsizetype i = 1; i < lines.size(); ++i) {
+    const QStringList fields = lines[i].split(QLatin1Char(','));
+    lines[i] = QStringList{fields[0], QString::number(units.lengthFrom(fields[1].toDouble()), 'g', digits),
+                           QString::number(units.forceFrom(fields[2].toDouble()), 'g', digits)}
+                   .join(QLatin1Char(','));
+  }
+  return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+QString withDecimalCommas(QString csv) {
+  return csv.replace(QLatin1Char(','), QLatin1Char(';')).replace(QLatin1Char('.'), QLatin1Char(','));
+}
+
+Result<Done> exportCsv(const QString& csv, const QString& path) {
+  return writeTextFileAtomically(nativePath(path), csv.toStdString());
 }
 
 namespace {
@@ -64,12 +82,6 @@ Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& g
     typed.push_back(*reading.value);
   }
   return typed.size() == 1 ? travelsAtEach(typed.front(), graph) : travelsWithin(std::move(typed), graph);
-}
-
-Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path) {
-  QString text = csvText(button, state);
-  text.replace(QLatin1Char(','), QLatin1Char(';')).replace(QLatin1Char('.'), QLatin1Char(','));
-  return writeTextFileAtomically(nativePath(path), text.toStdString());
 }
 
 Result<Done> exportButtonPng(QImage picture, const Button& button, const QString& path) {

@@ -14,10 +14,13 @@
 namespace detent::editor {
 
 /// Samples of one state in the CSV of the programs' contract (mm, N).
-QString csvText(const Button& button, std::size_t state);
-Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path);
-/// As exportCsv, for spreadsheets of countries with a decimal comma: fields separated by semicolons.
-Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
+QString csvText(const Button& button, std::size_t state, const DisplayUnits& units = modelUnits);
+/// The samples of a CSV in mm and N (model/file/curve_csv.h) in other units, which its header then names; 12
+/// digits. In mm and N it stays as it is.
+QString inUnits(const QString& csv, const DisplayUnits& units);
+/// The CSV for spreadsheets of countries with a decimal comma: fields separated by semicolons.
+QString withDecimalCommas(QString csv);
+Result<Done> exportCsv(const QString& csv, const QString& path);
 
 /// Travels in mm from typed text, in the shown units. One number is a step from zero to the end; several,
 /// separated by spaces or semicolons, are the travels themselves. Failure: a number that cannot be read, lies

@@ -52,7 +52,7 @@ class BatchDialog : public QDialog {
 
   const ViewSettings& view_;
   BatchActions at_;
-  BatchImport batch_;
+  BatchImport batch_{this};
   std::vector<Row> rows_;  ///< index: the number stored in the list's item
   QStringList paths_;
   int finished_ = 0, buttons_ = 0, questions_ = 0, refused_ = 0;

@@ -2,18 +2,25 @@
 #include "editor/importing/batch_import.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <new>
+#include <QCoreApplication>
+#include <QDataStream>
 #include <QFile>
 #include <QFileInfo>
+#include <QThread>
+#include <QTimer>
 #include <utility>
 
+#include "editor/files/document_files.h"
 #include "editor/importing/finding_words.h"
 #include "importer/all_graphs.h"
+#include "model/file/button_file.h"
 
 namespace detent::editor {
 namespace {
 
-constexpr double batchTimeLimit_s = 120;  // per file, as detent-import --batch has it
+constexpr int batchTimeLimit_s = 120;  // per file, as detent-import --batch has it
 
 BatchResult refusal(GraphId graph, const Failure& failure, const QString& file, const DisplayUnits& units) {
   return {graph, {}, 0, {}, adviceFor(failure, file, units).problem};
@@ -29,8 +36,7 @@ BatchResult resultOf(const importer::ImportAttempt& attempt, const importer::Imp
   return refused;
 }
 
-std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& units,
-                                   const importer::Progress& progress) {
+std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& units) {
   const QString file = QFileInfo(path).fileName();
   std::vector<BatchResult> results;
   importer::ImportRequest request;
@@ -39,7 +45,7 @@ std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& unit
   request.timeLimit.emplace(batchTimeLimit_s);
   try {
     const auto searched = importer::attemptAllGraphs(
-        request, progress,
+        request, {},
         [&](const importer::ImportAttempt& attempt, const importer::ImportRequest& one, std::size_t) {
           results.push_back(resultOf(attempt, one, file, units));
         });
@@ -50,48 +56,92 @@ std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& unit
   return results;
 }
 
+/// Results that the worker has written; nothing if they are not complete.
+std::vector<BatchResult> resultsFrom(const QByteArray& written) {
+  QDataStream stream(written);
+  std::vector<BatchResult> results;
+  while (!stream.atEnd()) {
+    BatchResult result;
+    QByteArray button;
+    stream >> result.graph.page >> result.graph.graph >> button >> result.confidence >> result.question >>
+        result.reason;
+    if (stream.status() != QDataStream::Ok) return {};
+    if (!button.isEmpty()) {
+      const auto read = buttonFromJson(button.toStdString(), {});
+      if (!read) return {};
+      result.button = *read;
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
 }  // namespace
 
-BatchImport::BatchImport(QObject* parent) : QObject(parent) {
-  workers_.setMaxThreadCount(std::max(1, QThread::idealThreadCount() - 1));
-  workers_.setThreadPriority(QThread::LowPriority);
+int importForBatch(const QStringList& words) {
+  const auto length = lengthUnitFrom(words.value(1).toStdString());
+  const auto force = forceUnitFrom(words.value(2).toStdString());
+  QFile out;
+  if (!length || !force || !out.open(stdout, QIODevice::WriteOnly))
+    return static_cast<int>(FailureCode::wrongUsage);
+  QDataStream stream(&out);
+  for (const BatchResult& result : resultsOf(words.value(0), {*length, *force}))
+    stream << result.graph.page << result.graph.graph
+           << (result.button ? buttonText(*result.button).toUtf8() : QByteArray()) << result.confidence
+           << result.question << result.reason;
+  return 0;
 }
 
 BatchImport::~BatchImport() {
   left_ = 0;  // emits nothing any more
   cancel();
-  workers_.waitForDone();
 }
 
 void BatchImport::start(const QStringList& paths, const DisplayUnits& units) {
   cancel();
-  const auto cancelled = std::make_shared<std::atomic<bool>>(false);
-  cancelled_ = cancelled;
-  ++batch_;
+  paths_ = paths;
+  units_ = units;
+  next_ = 0;
   left_ = static_cast<int>(paths.size());
-  for (int file = 0; file < left_; ++file)
-    workers_.start([this, cancelled, batch = batch_, file, path = paths[file], units] {
-      if (cancelled->load()) return;
-      QMetaObject::invokeMethod(this, [this, batch, file] {
-        if (batch == batch_ && left_ > 0) emit started(file);
-      });
-      importer::Progress progress;
-      progress.cancelled = [cancelled] { return cancelled->load(std::memory_order_relaxed); };
-      auto results = resultsOf(path, units, progress);
-      QMetaObject::invokeMethod(
-          this, [this, batch, file, results = std::move(results)] { take(batch, file, results); });
-    });
+  for (int i = std::max(1, QThread::idealThreadCount() - 1); i > 0; --i) startNext();
 }
 
-void BatchImport::take(int batch, int file, const std::vector<BatchResult>& results) {
-  if (batch != batch_ || left_ == 0) return;
+void BatchImport::startNext() {
+  if (next_ >= paths_.size()) return;
+  const int file = next_++;
+  auto* process = new QProcess(this);
+  running_ << process;
+  process->setProcessChannelMode(QProcess::ForwardedErrorChannel);
+  connect(process, &QProcess::started, this, [this, file] { emit started(file); });
+  connect(process, &QProcess::finished, this, [this, process, file] { take(*process, file); });
+  connect(process, &QProcess::errorOccurred, this, [this, process, file](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart) take(*process, file);
+  });
+  // A reader that does not even see its time limit.
+  QTimer::singleShot(std::chrono::seconds(2 * batchTimeLimit_s), process, &QProcess::kill);
+  process->start(QCoreApplication::applicationFilePath(),
+                 {batchWorkerOption, paths_[file], units_.lengthSymbol(), units_.forceSymbol()});
+}
+
+void BatchImport::take(QProcess& process, int file) {
+  running_.removeOne(&process);
+  process.deleteLater();
+  std::vector<BatchResult> results;
+  if (process.exitStatus() == QProcess::NormalExit) results = resultsFrom(process.readAllStandardOutput());
+  if (results.empty()) results = {{{}, {}, 0, {}, tr("The reader crashed or hung on this file.")}};
+  --left_;
   emit finished(file, results);
-  if (--left_ == 0) emit ended();
+  if (left_ == 0) return emit ended();
+  startNext();
 }
 
 void BatchImport::cancel() {
-  workers_.clear();
-  if (cancelled_) cancelled_->store(true);
+  for (QProcess* process : std::exchange(running_, {})) {
+    process->disconnect(this);
+    process->kill();
+    process->waitForFinished();
+    process->deleteLater();
+  }
   if (std::exchange(left_, 0) > 0) emit ended();
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Imports every graph of many files in the background, in threads of the editor.
+// Imports every graph of many files in the background, each file in its own process, as detent-import
+// --batch: a crash costs that file only.
 
-#include <atomic>
-#include <memory>
 #include <optional>
+#include <QList>
 #include <QObject>
+#include <QProcess>
 #include <QStringList>
-#include <QThreadPool>
 #include <vector>
 
 #include "editor/document/display_units.h"
@@ -25,13 +25,18 @@ struct BatchResult {
   QString reason;                ///< reason for a refusal, or for a low confidence
 };
 
+/// First word of the command line of a process that imports one file of a batch; the program must then return
+/// importForBatch(the other words).
+inline constexpr char batchWorkerOption[] = "--batch-worker";
+/// Imports the file that the words name and writes its results to the standard output.
+int importForBatch(const QStringList& words);
+
 /// One batch at a time. Several files are imported in parallel, on all cores but one. GUI thread.
 class BatchImport : public QObject {
   Q_OBJECT
 
  public:
-  explicit BatchImport(QObject* parent = nullptr);
-  /// Waits for the running imports, which end soon.
+  explicit BatchImport(QObject* parent = nullptr) : QObject(parent) {}
   ~BatchImport() override;
 
   /// `units`: for the reasons. Cancels imports that are still running.
@@ -47,11 +52,13 @@ class BatchImport : public QObject {
   void ended();
 
  private:
-  void take(int batch, int file, const std::vector<BatchResult>& results);
+  void startNext();
+  void take(QProcess& process, int file);
 
-  QThreadPool workers_;
-  std::shared_ptr<std::atomic<bool>> cancelled_;  ///< set to cancel the running batch
-  int batch_ = 0, left_ = 0;
+  QStringList paths_;
+  DisplayUnits units_;
+  QList<QProcess*> running_;
+  int next_ = 0, left_ = 0;
 };
 
 }  // namespace detent::editor

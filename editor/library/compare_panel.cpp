@@ -23,14 +23,14 @@ namespace {
 constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8, swatch_px = 12;
 constexpr int leastPlot_px = 160;
-constexpr int figures_px = 370;           // width of the figures beside the plot
+constexpr int leastFigures_px = 370;      // least width of the figures beside the plot
 constexpr double sideBySideAspect = 1.3;  // width over height from which the figures stand beside the plot
 constexpr int leastTableRows = 5;
 constexpr int longestHead = 16;  // characters of a column's head
 
 QTableWidget* differencesTable() {
   auto* table = described(new QTableWidget, "compareTable", {}, ComparePanel::tr("Differences"));
-  table->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideMiddle, table));
+  table->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table));
   table->setHorizontalHeader(new ShorteningHeader(Qt::Horizontal, Qt::ElideMiddle, table));
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowMargin_px);
@@ -136,8 +136,8 @@ QWidget* ComparePanel::figureSide() {
   auto* below = new QHBoxLayout;
   below->addWidget(copy);
   below->addStretch();
-  auto* side = new QWidget;
-  auto* column = new QVBoxLayout(side);
+  figures_ = new QWidget;
+  auto* column = new QVBoxLayout(figures_);
   column->setContentsMargins(4, 2, 4, 2);
   column->addLayout(rows_ = new QVBoxLayout);
   column->addLayout(buttons);
@@ -145,6 +145,11 @@ QWidget* ComparePanel::figureSide() {
   column->addLayout(below);
   column->addWidget(distance_);
   column->addWidget(forecast_);
+  auto* side = new QWidget;
+  auto* either = new QVBoxLayout(side);
+  either->setContentsMargins(0, 0, 0, 0);
+  either->addWidget(figures_);
+  either->addWidget(alone_ = offerSide());
   // The content scrolls if it has too little room.
   auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Comparison table"));
   scroll->setFrameShape(QFrame::NoFrame);
@@ -154,14 +159,51 @@ QWidget* ComparePanel::figureSide() {
   return scroll;
 }
 
+QWidget* ComparePanel::offerSide() {
+  auto* side = described(new QWidget, "compareAlone");
+  auto* column = new QVBoxLayout(side);
+  QLabel* what = wrappingLabel("compareWhat");
+  what->setText(tr("A comparison needs a second button. Choose where it comes from:"));
+  column->addWidget(what);
+  column->addLayout(ways_ = new QVBoxLayout);
+  column->addStretch();
+  return side;
+}
+
+void ComparePanel::offer(const QList<QAction*>& ways) {
+  while (QLayoutItem* item = ways_->takeAt(0)) {
+    item->widget()->deleteLater();  // later, because the click may come from it
+    delete item;
+  }
+  for (QAction* way : ways) ways_->addWidget(buttonOf(*way, "compare_"));
+}
+
+bool ComparePanel::isAlone() const {
+  return documents_.empty() || (documents_.size() == 1 && documents_.front()->button().states().size() == 1);
+}
+
 void ComparePanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const auto way = width() > sideBySideAspect * height() ? Qt::Horizontal : Qt::Vertical;
   if (way == split_->orientation()) return;
   split_->setOrientation(way);
   belowPlot_->setDirection(way == Qt::Horizontal ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  const int figures = way == Qt::Horizontal ? figures_px : height() / 2;
-  split_->setSizes({(way == Qt::Horizontal ? width() : height()) - figures, figures});
+  giveRoomToFigures();
+}
+
+// Beside the plot the figures get the width of their table, at most half of the panel; below it half of the
+// height.
+void ComparePanel::giveRoomToFigures() {
+  const bool beside = split_->orientation() == Qt::Horizontal;
+  const int all_px = beside ? width() : height();
+  int figures_px = all_px / 2;
+  if (beside) {
+    // the table's own scroll bar, that of the area around it, and the margins
+    int table_px = 2 * (style()->pixelMetric(QStyle::PM_ScrollBarExtent) + rowMargin_px) + nameWidth();
+    for (int column = 1; column < table_->columnCount(); ++column) table_px += leastWidth(column);
+    figures_px = std::max(leastFigures_px, std::min(figures_px, table_px));
+  }
+  split_->setSizes({all_px - figures_px, figures_px});
 }
 
 void ComparePanel::addSide() {
@@ -338,14 +380,16 @@ void ComparePanel::update() {
     if (!state) continue;
     states.push_back(state);
     graphs.push_back({nameOf(*side), state->graph});
+    if (isAlone()) break;
   }
   forecast_->setPair(sides_[0]->document, sides_[1]->document);
   more_->setEnabled(sides_.size() < mostSides && !documents_.empty());
   fewer_->setEnabled(sides_.size() > 2);
   plot_->setGraphs(std::move(graphs), settings_.units());
   fillTable(states);
-  const bool alone = states.size() < 2 || documents_.size() < 2;
-  distance_->setText(alone ? tr("Open two buttons to compare them.") : distances(states));
+  distance_->setText(distances(states));
+  figures_->setVisible(!isAlone());
+  alone_->setVisible(isAlone());
 }
 
 QString ComparePanel::distances(const std::vector<const ButtonState*>& states) const {
@@ -360,6 +404,7 @@ QString ComparePanel::distances(const std::vector<const ButtonState*>& states) c
 }
 
 void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
+  const int columnsBefore = table_->columnCount();
   table_->clear();
   QStringList heads{tr("Figure")}, whole{tr("Figure")};
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -398,7 +443,19 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
     name->setToolTip(row.name);
     table_->setVerticalHeaderItem(i, name);
   }
+  if (table_->columnCount() != columnsBefore) giveRoomToFigures();
   layOutTable();
+}
+
+int ComparePanel::nameWidth() const {
+  return static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(0) + rowMargin_px;
+}
+
+/// Width of a column of numbers, or of the units with their heading.
+int ComparePanel::leastWidth(int column) const {
+  const int text_px = static_cast<const QAbstractItemView*>(table_)->sizeHintForColumn(column) + 1;
+  const bool isUnit = column == table_->columnCount() - 1;
+  return isUnit ? std::max(text_px, table_->horizontalHeader()->sectionSizeHint(column)) : text_px;
 }
 
 // Numbers get the width they need; the remaining width goes first to the names above them, then to those of
@@ -406,22 +463,18 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
 void ComparePanel::layOutTable() {
   const int columns = table_->columnCount();
   if (columns < 3 || table_->rowCount() == 0) return;
-  const QAbstractItemView& view = *table_;
   const QHeaderView& heads = *table_->horizontalHeader();
   const int widestHead_px = longestHead * fontMetrics().averageCharWidth();
-  NamedTable needed{0, view.sizeHintForColumn(0) + rowMargin_px};
+  NamedTable needed{0, nameWidth()};
   int spare_px = widthForColumns_px(*table_) - needed.names_px;
-  for (int column = 1; column < columns; ++column) spare_px -= view.sizeHintForColumn(column) + 1;
+  for (int column = 1; column < columns; ++column) spare_px -= leastWidth(column);
   for (int column = 1; column < columns; ++column) {
-    const bool isUnit = column == columns - 1;
-    const int least_px =
-        std::max(view.sizeHintForColumn(column) + 1, isUnit ? heads.sectionSizeHint(column) : 0);
+    const int least_px = leastWidth(column);
     const int wished_px = std::min(heads.sectionSizeHint(column), widestHead_px);
     const int more_px = std::clamp(wished_px - least_px, 0, std::max(0, spare_px));
     table_->setColumnWidth(column, least_px + more_px);
     spare_px -= more_px;
     needed.numbers_px += least_px + more_px;
-    if (column <= columns / 2) needed.beside_px += least_px + more_px;
   }
   keepNamesInSight(*table_, needed);
 }

@@ -3,6 +3,7 @@
 // Compares open buttons: graphs over each other, and a table of their differences.
 
 #include <memory>
+#include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
@@ -39,6 +40,10 @@ class ComparePanel : public QWidget {
   /// Sets the buttons that can be chosen. A compared button that is not among them is dropped.
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   void compare(ButtonDocument* first, ButtonDocument* second);
+  /// True if there is only one button, in one state. Then the panel offers `ways` to another one.
+  bool isAlone() const;
+  /// Ways to a second button, offered as buttons while there is only one. Must outlive this, or be replaced.
+  void offer(const QList<QAction*>& ways);
   /// True if the button is one of those compared.
   bool compares(const ButtonDocument& document) const;
   /// Returns true if the user has chosen the compared buttons in the panel since the last compare().
@@ -74,6 +79,7 @@ class ComparePanel : public QWidget {
   void build();
   QWidget* plotSide();
   QWidget* figureSide();
+  QWidget* offerSide();
   void addSide();
   QString nameOf(const Side& side) const;
   void showColors();
@@ -85,6 +91,9 @@ class ComparePanel : public QWidget {
   void exchange();
   const ButtonState* stateOf(const Side& side) const;
   void update();
+  void giveRoomToFigures();
+  int nameWidth() const;
+  int leastWidth(int column) const;
   void layOutTable();
   void fillTable(const std::vector<const ButtonState*>& states);
   QString distances(const std::vector<const ButtonState*>& states) const;
@@ -100,6 +109,8 @@ class ComparePanel : public QWidget {
   ComparePlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel *distance_ = nullptr, *reading_ = nullptr;
+  QWidget *figures_ = nullptr, *alone_ = nullptr;  // one of the two is shown
+  QVBoxLayout* ways_ = nullptr;
   ForecastBar* forecast_ = nullptr;
   QPushButton *more_ = nullptr, *fewer_ = nullptr;
   QTimer soon_;

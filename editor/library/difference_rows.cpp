@@ -100,7 +100,7 @@ void addStroke(Rows& rows, const QString& name, bool press, const Strokes& strok
     rows.add(nameOfFigure(KeyFigure::initialForce), Measure::force, strokes,
              ifThere<StrokeMetrics>(startForce));
   else
-    add(Differences::tr("force at the start of the travel"), Measure::force, startForce);
+    add(Differences::tr("force at rest"), Measure::force, startForce);
   // The release starts at the end force of the press, which is listed already.
   if (press)
     add(Differences::tr("largest force"), Measure::force,

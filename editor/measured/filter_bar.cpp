@@ -138,11 +138,20 @@ SwitchFilter FilterBar::filter() const {
   return filter;
 }
 
+// The limits stay, so their numbers change.
 void FilterBar::setUnits(const DisplayUnits& units) {
-  units_ = units;
-  for (const Range& range : ranges_)
+  constexpr int digits = 12;  // so that 24 is 24 again in the first unit
+  for (const Range& range : ranges_) {
+    const auto figure = static_cast<KeyFigure>(range.figure->currentData().toInt());
+    for (QLineEdit* end : {range.low, range.high})
+      if (const auto value = readQuantity(end->text(), quantityOf(figure), units_).value) {
+        const QSignalBlocker quiet(end);
+        end->setText(quantityText(*value, quantityOf(figure), units, digits));
+      }
     for (const KeyFigureName& name : keyFigureNames())
-      range.figure->setItemText(static_cast<int>(name.figure), figureTitle(name.figure, units_));
+      range.figure->setItemText(static_cast<int>(name.figure), figureTitle(name.figure, units));
+  }
+  units_ = units;
   check();
   emit changed();
 }

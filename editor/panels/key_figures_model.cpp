@@ -2,6 +2,7 @@
 #include "editor/panels/key_figures_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QCoreApplication>
 #include <QFont>
 #include <QPalette>
@@ -22,6 +23,34 @@ bool needsContact(KeyFigure figure) {
   using enum KeyFigure;
   return figure == preTravel || figure == operatingForce || figure == overTravel || figure == resetTravel ||
          figure == resetForce || figure == differentialTravel;
+}
+
+struct Moves {
+  Q_DECLARE_TR_FUNCTIONS(Moves)
+};
+
+/// "the press from 1.25 to 4 mm"; empty if the stroke moves by less than a target is met to.
+QString movedStretch(const ForceGraph& before, const ForceGraph& after, Stroke stroke,
+                     const DisplayUnits& units) {
+  constexpr int samples = 400, digits = 3;
+  if (stroke == Stroke::release && !(before.release() && after.release())) return {};
+  const StrokeCurve &from = before.curve(stroke), &to = after.curve(stroke);
+  std::optional<double> first_mm, last_mm;
+  const double end_mm = std::max(from.end_mm(), to.end_mm());
+  for (int i = 0; i <= samples; ++i) {
+    const double at_mm = end_mm * i / samples;
+    const auto force_N = [at_mm](const StrokeCurve& curve) {
+      return curve.force_N(std::clamp(at_mm, curve.start_mm(), curve.end_mm()));
+    };
+    if (std::abs(force_N(from) - force_N(to)) <= TargetTolerance().force_N) continue;
+    if (!first_mm) first_mm = at_mm;
+    last_mm = at_mm;
+  }
+  if (!first_mm) return {};
+  return (stroke == Stroke::press ? Moves::tr("the press from %1 to %2")
+                                  : Moves::tr("the release from %1 to %2"))
+      .arg(quantityText(*first_mm, Quantity::length, units, digits),
+           quantityWithUnit(*last_mm, Quantity::length, units, digits));
 }
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
@@ -140,6 +169,7 @@ const ButtonState& KeyFiguresModel::state() const {
 void KeyFiguresModel::follow() {
   pause_.stop();
   figures_ = keyFiguresOf(state());
+  moves_.clear();
   if (!document_.history().dragging()) {
     solveNext();
     if (anyWanted()) solveAhead();
@@ -168,6 +198,7 @@ void KeyFiguresModel::solveAhead() {
   preview_.reset();
   previewed_.reset();
   conflict_.clear();
+  moves_.clear();
   looking_ = anyWanted();
   if (looking_) {
     std::vector<FigureTarget> targets = kept();
@@ -186,11 +217,36 @@ void KeyFiguresModel::takeAhead(const TargetOutcome& outcome) {
   looking_ = false;
   previewed_ = outcome.button;
   if (previewed_) preview_ = previewed_->states()[document_.activeState()];
-  if (preview_) ahead_ = keyFiguresOf(*preview_);
+  if (preview_) {
+    ahead_ = keyFiguresOf(*preview_);
+    std::vector<KeyFigure> set;
+    for (std::size_t i = 0; i < keyFigureCount; ++i)
+      if (wanted_[i]) set.push_back(static_cast<KeyFigure>(i));
+    moves_ = movesBetween(state(), *preview_, set);
+  }
   if (outcome.conflict) conflict_ = sentenceOf(outcome.conflict->failure, settings_.units());
   emit dataChanged(index(0, wanted), index(rowCount() - 1, wanted));
   emit previewChanged();
   emit solvingChanged();
+}
+
+QString KeyFiguresModel::movesBetween(const ButtonState& before, const ButtonState& after,
+                                      const std::vector<KeyFigure>& set) const {
+  QStringList stretches, figures;
+  for (const Stroke stroke : {Stroke::press, Stroke::release})
+    if (const QString moved = movedStretch(before.graph, after.graph, stroke, settings_.units());
+        !moved.isEmpty())
+      stretches << moved;
+  const KeyFigures now = keyFiguresOf(before), then = keyFiguresOf(after);
+  for (std::size_t i = 0; i < keyFigureCount; ++i) {
+    const auto which = static_cast<KeyFigure>(i);
+    if (!now[which] || !then[which] || std::ranges::find(set, which) != set.end()) continue;
+    if (shown(*now[which], which, false) != shown(*then[which], which, false)) figures << termOf(which);
+  }
+  QStringList sentences;
+  if (!stretches.isEmpty()) sentences << Moves::tr("Moves %1.").arg(stretches.join(QStringLiteral(", ")));
+  if (!figures.isEmpty()) sentences << Moves::tr("Also changes: %1.").arg(figures.join(QStringLiteral(", ")));
+  return sentences.join(QLatin1Char(' '));
 }
 
 void KeyFiguresModel::take() {
@@ -409,7 +465,11 @@ void KeyFiguresModel::takeTyped(const TargetOutcome& outcome) {
   typed_.pop_front();
   if (outcome.button) {
     emit accepted();
+    const QString moves =
+        movesBetween(document_.button().states()[state], outcome.button->states()[state], {which});
     document_.history().apply(*outcome.button, tr("Set: %1").arg(changeOf(which, value)));
+    moves_ = moves;
+    emit previewChanged();
   } else {
     emit refused(index(static_cast<int>(which), now),
                  sentenceOf(outcome.conflict->failure, settings_.units()));

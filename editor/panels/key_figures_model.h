@@ -58,6 +58,9 @@ class KeyFiguresModel : public QAbstractTableModel {
   bool solving() const { return looking_ || !typed_.empty(); }
   /// Reason why there is no preview; empty with a preview or without requests.
   const QString& conflict() const { return conflict_; }
+  /// Stretches of the curve that the preview, or the figure typed last, moves, and the figures that change
+  /// with it: "Moves the press from 1.25 to 4 mm. Also changes: Valley force." Empty without either.
+  const QString& moves() const { return moves_; }
   /// Makes the preview one undo step and clears the requests.
   void take();
   void giveUp();
@@ -88,6 +91,9 @@ class KeyFiguresModel : public QAbstractTableModel {
   void takeAhead(const TargetOutcome& outcome);
   void follow();
   void solveAhead();
+  /// `set`: figures that the user has set, which are not named.
+  QString movesBetween(const ButtonState& before, const ButtonState& after,
+                       const std::vector<KeyFigure>& set) const;
   const ButtonState& state() const;
   QString shown(double value, KeyFigure which, bool exact) const;
   /// "Tactile drop 20 cN", for the history.
@@ -105,7 +111,7 @@ class KeyFiguresModel : public QAbstractTableModel {
   std::optional<ButtonState> preview_;
   std::optional<Button> previewed_;
   KeyFigures ahead_;
-  QString conflict_;
+  QString conflict_, moves_;
   QTimer pause_;
   std::deque<Typed> typed_;  // the first is being solved
   bool looking_ = false;     // a preview is being solved

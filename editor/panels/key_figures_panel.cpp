@@ -60,7 +60,8 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       take_(described(new QPushButton(tr("&Apply")), "takeFigures",
                       tr("Change the curve to the target figures"))),
       giveUp_(described(new QPushButton(tr("&Cancel")), "giveUpFigures", tr("Clear all targets"))),
-      solving_(described(new QLabel(tr("Solving…")), "keyFiguresSolving")) {
+      solving_(described(new QLabel(tr("Solving…")), "keyFiguresSolving")),
+      moves_(described(new QLabel, "keyFiguresMoves")) {
   setObjectName(QStringLiteral("keyFiguresPanel"));
   table_->setModel(model_);
   delegate_ = new ValueDelegate(
@@ -73,6 +74,9 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   meaning_->setWordWrap(true);
   solving_->setMargin(6);
   solving_->hide();
+  moves_->setMargin(6);
+  moves_->setWordWrap(true);
+  moves_->hide();
   patience_.setSingleShot(true);
   patience_.setInterval(patience_ms);
   setFocusProxy(table_);
@@ -93,6 +97,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   layout->setSpacing(0);
   layout->addWidget(table_, 1);
   layout->addWidget(solving_);
+  layout->addWidget(moves_);
   layout->addWidget(trouble_);
   layout->addLayout(buttons);
   layout->addWidget(about_);
@@ -103,7 +108,10 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   connect(model_, &KeyFiguresModel::previewChanged, this, &KeyFiguresPanel::showPreview);
   connect(model_, &KeyFiguresModel::solvingChanged, this, &KeyFiguresPanel::showSolving);
   connect(&patience_, &QTimer::timeout, solving_, &QLabel::show);
-  connect(&document, &ButtonDocument::changed, this, [this] { trouble_->say(model_->conflict()); });
+  connect(&document, &ButtonDocument::changed, this, [this] {
+    trouble_->say(model_->conflict());
+    showMoves();
+  });
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &KeyFiguresPanel::layOut);
   connect(table_, &ValueTable::editRefused, this, [this](const QModelIndex& cell) {
     if (const QString why = model_->absenceOf(cell); !why.isEmpty()) showRefusal(cell, why);
@@ -165,9 +173,7 @@ void KeyFiguresPanel::layOut() {
   }
   delegate_->alignDecimals(widest);
   name_px += figureTextMargin_px;
-  const int beside_px =
-      table_->columnWidth(KeyFiguresModel::wanted) + table_->columnWidth(KeyFiguresModel::keep);
-  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others, beside_px});
+  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others});
 }
 
 // On a small screen the explanation is hidden first.
@@ -208,6 +214,12 @@ void KeyFiguresPanel::showPreview() {
   take_->setEnabled(model_->preview().has_value());
   giveUp_->setEnabled(model_->anyWanted());
   trouble_->say(model_->conflict());
+  showMoves();
+}
+
+void KeyFiguresPanel::showMoves() {
+  moves_->setText(model_->moves());
+  moves_->setVisible(!model_->moves().isEmpty());
 }
 
 void KeyFiguresPanel::showSolving() {

@@ -44,6 +44,7 @@ class KeyFiguresPanel : public QWidget {
   void showRefusal(const QModelIndex& index, const QString& why);
   void showMeaning();
   void showPreview();
+  void showMoves();
   void layOut();
   void showRows();
   void showSolving();
@@ -56,7 +57,7 @@ class KeyFiguresPanel : public QWidget {
   TroubleLabel* trouble_;
   QCheckBox* all_;
   QPushButton *take_, *giveUp_;
-  QLabel* solving_;
+  QLabel *solving_, *moves_;
   QTimer patience_;
 };
 

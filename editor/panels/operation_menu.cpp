@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/operation_menu.h"
 
-#include <algorithm>
-#include <QScreen>
 #include <utility>
 
 namespace detent::editor {
@@ -114,16 +112,9 @@ void OperationMenu::open(Operation (*make)(const OperationTarget&)) {
     return document_.wantOrigin();
   }
   dialog_ = new OperationDialog(document_, settings_, make(target()), &window_);
+  // Keeps the previewed graph visible: beside it, or as far to its right as the screen allows (ScreenFit).
+  dialog_->move(window_.mapToGlobal(QPoint(window_.width() + gapBeside_px, 0)));
   dialog_->open();
-  placeBeside(*dialog_);
-}
-
-// Keeps the previewed graph visible: beside it, or as far to its right as the screen allows.
-void OperationMenu::placeBeside(QWidget& dialog) const {
-  const QRect screen = dialog.screen()->availableGeometry();
-  QPoint at = window_.mapToGlobal(QPoint(window_.width() + gapBeside_px, 0));
-  at.setX(std::min(at.x(), screen.right() + 1 - dialog.frameGeometry().width()));
-  dialog.move(at);
 }
 
 }  // namespace detent::editor

@@ -38,7 +38,6 @@ class OperationMenu : public QObject {
            Operation (*make)(const OperationTarget&), bool (*offered)(const OperationTarget&));
   void addSeparator();
   OperationTarget target() const;
-  void placeBeside(QWidget& dialog) const;
   void open(Operation (*make)(const OperationTarget&));
 
   ButtonDocument& document_;

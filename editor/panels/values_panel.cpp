@@ -78,6 +78,12 @@ int ValuesPanel::widthOf(int column) const {
   return std::max(text_px + cellTextMargin_px, table_->horizontalHeader()->sectionSizeHint(column));
 }
 
+QSize ValuesPanel::sizeHint() const {
+  int width_px = 2 * table_->frameWidth() + style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  for (int column = 0; column < ValuesModel::columns; ++column) width_px += widthOf(column);
+  return {width_px, QWidget::sizeHint().height()};
+}
+
 // The remaining width goes to the names; in a narrow panel the numbers scroll.
 void ValuesPanel::giveRoomToNames() {
   int others = 0;

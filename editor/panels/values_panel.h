@@ -21,6 +21,8 @@ class ValuesPanel : public QWidget {
  public:
   ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
   ValuesModel& model() { return *model_; }
+  /// Width of all columns.
+  QSize sizeHint() const override;
 
   /// Scrolls to a mark's row.
   void showMark(std::optional<detent::editor::MarkId> mark);

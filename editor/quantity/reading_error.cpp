@@ -4,17 +4,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/units.h"
-
 namespace detent::editor {
+
+std::optional<DisplayUnits> unitsOfPage(const Button& button) {
+  const auto& from = button.provenance();
+  if (!from || !from->xAxis || !from->yAxis) return {};
+  const auto length = lengthUnitFrom(from->xAxis->unit);
+  const auto force = forceUnitFrom(from->yAxis->unit);
+  if (!length || !force) return {};
+  return DisplayUnits{*length, *force};
+}
 
 std::optional<ReadingError> readingErrorOf(const Button& button) {
   const auto& from = button.provenance();
-  if (!from || from->frame.size() != 4 || !from->xAxis || !from->yAxis) return {};
-  const auto length = lengthUnitFrom(from->xAxis->unit);
-  const auto force = forceUnitFrom(from->yAxis->unit);
+  const auto units = unitsOfPage(button);
+  if (!units || from->frame.size() != 4) return {};
   const double width = from->frame[2] - from->frame[0], height = from->frame[3] - from->frame[1];
-  if (!length || !force || !(width > 0 && height > 0)) return {};
+  if (!(width > 0 && height > 0)) return {};
   // Documents are rendered with a frame of about this width; the unit of a picture's frame is its pixel.
   constexpr double renderedFrame_px = 1000;
   const QString file = QString::fromStdString(from->sourceFile).toLower();
@@ -27,8 +33,7 @@ std::optional<ReadingError> readingErrorOf(const Button& button) {
     const double share = std::max(leastShare, std::hypot(fit_px, axis.residual_px) / (size * pxPerUnit));
     return share * std::abs(axis.max - axis.min) * unit;
   };
-  return ReadingError{error(*from->xAxis, millimetresPer(*length), width),
-                      error(*from->yAxis, newtonsPer(*force), height)};
+  return ReadingError{error(*from->xAxis, units->toMm(1), width), error(*from->yAxis, units->toN(1), height)};
 }
 
 QString readText(double value, Quantity quantity, const DisplayUnits& units,

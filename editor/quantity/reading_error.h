@@ -10,6 +10,9 @@
 
 namespace detent::editor {
 
+/// Units of the axes of the page from which the button was read; empty for other buttons.
+std::optional<DisplayUnits> unitsOfPage(const Button& button);
+
 /// Standard errors of values that were read from a page.
 struct ReadingError {
   double mm, N;  ///< > 0

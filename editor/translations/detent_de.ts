@@ -128,8 +128,8 @@
         <translation>Schnappverhältnis</translation>
     </message>
     <message>
-        <source>force at the start of the travel</source>
-        <translation>Kraft am Anfang des Wegs</translation>
+        <source>force at rest</source>
+        <translation>Kraft in Ruhe</translation>
     </message>
     <message>
         <source>largest force</source>
@@ -441,6 +441,25 @@ Lizenz: %3</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>Moves</name>
+    <message>
+        <source>the press from %1 to %2</source>
+        <translation>den Hinweg von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the release from %1 to %2</source>
+        <translation>den Rückweg von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Moves %1.</source>
+        <translation>Bewegt %1.</translation>
+    </message>
+    <message>
+        <source>Also changes: %1.</source>
+        <translation>Ändert auch: %1.</translation>
     </message>
 </context>
 <context>
@@ -1102,16 +1121,16 @@ Lizenz: %3</translation>
         <translation>Spitzenkraft</translation>
     </message>
     <message>
-        <source>Travel to the peak</source>
-        <translation>Weg bis zur Spitze</translation>
+        <source>Peak travel</source>
+        <translation>Weg zur Spitze</translation>
     </message>
     <message>
         <source>Valley force</source>
         <translation>Talkraft</translation>
     </message>
     <message>
-        <source>Travel to the valley</source>
-        <translation>Weg bis zum Tal</translation>
+        <source>Valley travel</source>
+        <translation>Weg zum Tal</translation>
     </message>
     <message>
         <source>Tactile drop</source>
@@ -1154,8 +1173,8 @@ Lizenz: %3</translation>
         <translation>Kraft am Anschlag</translation>
     </message>
     <message>
-        <source>Travel to the bottom-out</source>
-        <translation>Weg bis zum Anschlag</translation>
+        <source>Bottom-out travel</source>
+        <translation>Weg zum Anschlag</translation>
     </message>
     <message>
         <source>Total travel</source>
@@ -3516,6 +3535,10 @@ Lizenz: %3</translation>
         <source>The file needs more memory than is available.</source>
         <translation>Die Datei braucht mehr Speicher, als verfügbar ist.</translation>
     </message>
+    <message>
+        <source>The reader crashed or hung on this file.</source>
+        <translation>Das Lesen dieser Datei ist abgestürzt oder stehen geblieben.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ButtonDocument</name>
@@ -3606,10 +3629,6 @@ Lizenz: %3</translation>
         <translation>Zustand von Taster %1</translation>
     </message>
     <message>
-        <source>Open two buttons to compare them.</source>
-        <translation>Öffnen Sie zwei Taster, um sie zu vergleichen.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -3652,6 +3671,10 @@ Lizenz: %3</translation>
     <message>
         <source>Comparison table</source>
         <translation>Vergleichstabelle</translation>
+    </message>
+    <message>
+        <source>A comparison needs a second button. Choose where it comes from:</source>
+        <translation>Ein Vergleich braucht einen zweiten Taster. Woher soll er kommen?</translation>
     </message>
 </context>
 <context>
@@ -4164,10 +4187,6 @@ Lizenz: %3</translation>
         <translation>Kurvenwerte exportieren</translation>
     </message>
     <message>
-        <source>CSV, mm and N</source>
-        <translation>CSV, mm und N</translation>
-    </message>
-    <message>
         <source>SVG drawing</source>
         <translation>SVG-Zeichnung</translation>
     </message>
@@ -4208,10 +4227,6 @@ Lizenz: %3</translation>
         <translation>Graphen exportieren</translation>
     </message>
     <message>
-        <source>CSV with semicolons, mm and N</source>
-        <translation>CSV mit Semikolons, mm und N</translation>
-    </message>
-    <message>
         <source>Export as a data package</source>
         <translation>Als Datenpaket exportieren</translation>
     </message>
@@ -4250,6 +4265,18 @@ Lizenz: %3</translation>
     <message>
         <source>C header</source>
         <translation>C-Header</translation>
+    </message>
+    <message>
+        <source>%1, %2 and %3</source>
+        <translation>%1, %2 und %3</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>CSV with semicolons</source>
+        <translation>CSV mit Strichpunkten</translation>
     </message>
 </context>
 <context>
@@ -6742,6 +6769,10 @@ Lizenz: %3</translation>
         <source>Key closed</source>
         <translation>Taste geschlossen</translation>
     </message>
+    <message>
+        <source>For your own sensor: a CSV file of two columns, the displacement from rest in mm, increasing, and the reading in counts of your converter, which only rises or only falls. Two rows or more. Example:</source>
+        <translation>Für den eigenen Sensor: eine CSV-Datei mit zwei Spalten, dem Weg ab der Ruhelage in mm, steigend, und dem Messwert in Schritten des Wandlers, der nur steigt oder nur fällt. Mindestens zwei Zeilen. Beispiel:</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MainWindow</name>
@@ -7396,6 +7427,22 @@ Lizenz: %3</translation>
     <message>
         <source>Redo</source>
         <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The reference curve, %1</source>
+        <translation>Die Referenzkurve, %1</translation>
+    </message>
+    <message>
+        <source>Open the reference curve as a button and compare it</source>
+        <translation>Die Referenzkurve als Taster öffnen und vergleichen</translation>
+    </message>
+    <message>
+        <source>As on the &amp;page</source>
+        <translation>Wie auf der &amp;Seite</translation>
+    </message>
+    <message>
+        <source>Show each button in the units of the page that it was read from</source>
+        <translation>Jeden Taster in den Einheiten der Seite zeigen, von der er gelesen wurde</translation>
     </message>
 </context>
 <context>

@@ -35,9 +35,9 @@ ExportController::ExportController(const ControllerContext& context, QObject* pa
 
 void ExportController::write(DocumentTab& tab, const QString& title, const QString& filter,
                              const QString& ending,
-                             const std::function<Result<Done>(const QString&)>& writeTo) {
-  QString path = at_.prompts.fileToSave(&at_.window, title,
-                                        suggestedPath(tab.document(), at_.folderToSave(), ending), filter);
+                             const std::function<Result<Done>(const QString&)>& writeTo, QString* chosen) {
+  QString path = at_.prompts.fileToSave(
+      &at_.window, title, suggestedPath(tab.document(), at_.folderToSave(), ending), filter, chosen);
   if (path.isEmpty()) return;
   if (ending.startsWith('.') && QFileInfo(path).suffix().isEmpty()) path += ending;
   const auto written = writeTo(path);
@@ -51,10 +51,25 @@ void ExportController::write(DocumentTab& tab, const QString& title, const QStri
   emit done(tr("Exported %1").arg(shownPath(path)));
 }
 
+void ExportController::samples(
+    DocumentTab& tab, const QString& kind,
+    const std::function<Result<Done>(const QString&, const DisplayUnits&)>& writeTo) {
+  const DisplayUnits shown = at_.view.units();
+  QStringList filters;
+  for (const DisplayUnits& units : {modelUnits, shown})
+    filters << tr("%1, %2 and %3").arg(kind, units.lengthSymbol(), units.forceSymbol()) + " (*.csv)";
+  filters.removeDuplicates();
+  QString chosen;
+  write(
+      tab, tr("Export samples"), filters.join(QStringLiteral(";;")), ".csv",
+      [&](const QString& path) { return writeTo(path, chosen == filters.back() ? shown : modelUnits); },
+      &chosen);
+}
+
 void ExportController::csv(DocumentTab& tab) {
-  const ButtonDocument& document = tab.document();
-  write(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv",
-        [&](const QString& path) { return exportCsv(document.button(), document.activeState(), path); });
+  samples(tab, tr("CSV"), [&document = tab.document()](const QString& path, const DisplayUnits& units) {
+    return exportCsv(csvText(document.button(), document.activeState(), units), path);
+  });
 }
 
 void ExportController::csvAt(DocumentTab& tab) {
@@ -69,18 +84,18 @@ void ExportController::csvAt(DocumentTab& tab) {
   if (!travels_mm)
     return tab.notices().say("export", NoticeBar::Kind::trouble,
                              tr("Not exported: %1").arg(sentenceOf(travels_mm.failure(), units)));
-  write(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv", [&](const QString& path) {
-    return writeTextFileAtomically(QFile::encodeName(path).toStdString(),
-                                   csvAtTravels(*travels_mm, document.graph()));
+  samples(tab, tr("CSV"), [&](const QString& path, const DisplayUnits& shown) {
+    return exportCsv(inUnits(QString::fromStdString(csvAtTravels(*travels_mm, document.graph())), shown),
+                     path);
   });
 }
 
 void ExportController::semicolonCsv(DocumentTab& tab) {
-  const ButtonDocument& document = tab.document();
-  write(tab, tr("Export samples"), tr("CSV with semicolons, mm and N") + " (*.csv)", ".csv",
-        [&](const QString& path) {
-          return exportSemicolonCsv(document.button(), document.activeState(), path);
-        });
+  samples(tab, tr("CSV with semicolons"),
+          [&document = tab.document()](const QString& path, const DisplayUnits& units) {
+            return exportCsv(withDecimalCommas(csvText(document.button(), document.activeState(), units)),
+                             path);
+          });
 }
 
 void ExportController::graph(DocumentTab& tab) {

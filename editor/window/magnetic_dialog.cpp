@@ -94,6 +94,11 @@ QLayout* MagneticDialog::choices() {
   auto* read = plainButton("magneticRead", tr("Readin&gs…"),
                            tr("Load the readings of your sensor over the travel from a CSV file"));
   readings_->setText(tr("No readings loaded: a magnet of the usual size is assumed."));
+  auto* format = wrappingLabel(QStringLiteral("magneticFormat"));
+  format->setText(tr("For your own sensor: a CSV file of two columns, the displacement from rest in mm, "
+                     "increasing, and the reading in counts of your converter, which only rises or only "
+                     "falls. Two rows or more. Example:") +
+                  QStringLiteral("\ndisplacement_mm,reading\n0,2048\n2,2410\n4,3480"));
   connect(read, &QPushButton::clicked, this, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Readings of the sensor"), {}, tr("CSV") + " (*.csv)");
@@ -101,8 +106,9 @@ QLayout* MagneticDialog::choices() {
   });
   auto* column = new QVBoxLayout;
   column->addLayout(form);
-  column->addWidget(read);
-  column->addWidget(readings_);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(readings_), static_cast<QWidget*>(format), static_cast<QWidget*>(read)})
+    column->addWidget(widget);
   column->addStretch(1);
   return column;
 }

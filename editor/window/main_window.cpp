@@ -37,6 +37,7 @@
 #include "editor/panels/key_figures_model.h"
 #include "editor/panels/key_figures_panel.h"
 #include "editor/quantity/quantity.h"
+#include "editor/quantity/reading_error.h"
 #include "editor/study/experimenter_dialog.h"
 #include "editor/window/appearance.h"
 #include "editor/window/graph_print.h"
@@ -148,11 +149,7 @@ MainWindow::~MainWindow() {
 // ---- the parts
 
 void MainWindow::makeCentre() {
-  QList<QAction*> ways;
-  for (const char* name : {"import", "new", "open", "trySample"})
-    for (QAction* way : ownActions_)
-      if (way->objectName() == name) ways << way;
-  welcome_ = new WelcomePage(ways);
+  welcome_ = new WelcomePage(actionsNamed({"import", "new", "open", "trySample"}));
   tabs_ = new TabArea(welcome_, at_.view);
   notices_ = described(new NoticeBar, "windowNotices");
   files_ =
@@ -180,6 +177,14 @@ void MainWindow::makeCentre() {
   connect(&files_->recent(), &RecentFiles::changed, this, &MainWindow::updateRecent);
 }
 
+QList<QAction*> MainWindow::actionsNamed(std::initializer_list<const char*> names) const {
+  QList<QAction*> named;
+  for (const char* name : names)
+    for (QAction* action : ownActions_)
+      if (action->objectName() == name) named << action;
+  return named;
+}
+
 QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWidgetArea area,
                               const QKeySequence& keys) {
   auto* dock = described(new QDockWidget(title), name);
@@ -201,7 +206,12 @@ void MainWindow::turn(QDockWidget& dock) {
   QWidget* inside = dock.widget();
   if (auto* stack = qobject_cast<QStackedWidget*>(inside); stack && stack->currentWidget())
     inside = stack->currentWidget();
-  if (inside) inside->setFocus();
+  if (!inside) return;
+  inside->setFocus();
+  // A table shows all of its columns.
+  const int wished_px = std::min(inside->sizeHint().width(), static_cast<int>(mostForInspector * width()));
+  layout()->activate();
+  if (&dock == valuesDock_ && dock.width() < wished_px) resizeDocks({&dock}, {wished_px}, Qt::Horizontal);
 }
 
 // ---- views of the centre
@@ -215,6 +225,7 @@ void MainWindow::showView(CentreView view) {
                                       {showCompare_, CentreView::compare},
                                       {showFeel_, CentreView::feel}})
     action->setChecked(view == shown);
+  if (view == CentreView::compare && comparison_->isAlone()) offerToCompare();
   centre_->setCurrentIndex(view == CentreView::compare ? 1 : 0);
   const bool feelShown = feelArea_->isVisibleTo(centre_->widget(0));
   feelArea_->setVisible(view == CentreView::feel);
@@ -391,7 +402,8 @@ void MainWindow::connectTabs() {
 
 void MainWindow::adopt(DocumentTab& tab) {
   sessionHeld_ = false;
-  if (view_ == CentreView::compare) showView(CentreView::edit);  // an opened button must be visible
+  // An opened button must be visible; a comparison that waits for a second button shows it.
+  if (view_ == CentreView::compare && !comparison_->isAlone()) showView(CentreView::edit);
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
   connect(&tab.workspace(), &GraphWorkspace::buttonCopyRequested, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
@@ -429,6 +441,7 @@ void MainWindow::letGo(DocumentTab& tab) {
 }
 
 void MainWindow::showTab(DocumentTab* tab) {
+  at_.view.setPageUnits(tab ? unitsOfPage(tab->document().button()) : std::nullopt);
   showTabActions(tab);
   for (QAction* action : needTab_) action->setEnabled(tab != nullptr);
   if (tab) {
@@ -466,7 +479,12 @@ void MainWindow::updateDocuments() {
   const std::vector<ButtonDocument*> documents = tabs_->documents();
   DocumentTab* current = tabs_->current();
   library_->setDocuments(documents, current ? &current->document() : nullptr);
-  if (comparison_) comparison_->setDocuments(documents);
+  if (comparison_) {
+    const bool waiting = view_ == CentreView::compare && comparison_->isAlone() && documents.size() > 1;
+    comparison_->setDocuments(documents);
+    if (waiting) compareAll({documents.front(), documents.back()});
+    if (comparison_->isAlone()) offerToCompare();
+  }
   if (forecasts_) forecasts_->setDocuments(documents);
   if (measured_) measured_->followDocuments();
   if (!feel_) return;
@@ -525,6 +543,23 @@ void MainWindow::makeComparison() {
   comparison_ = new ComparePanel(at_.view);
   connect(comparison_, &ComparePanel::pictureRequested, this, &MainWindow::writeComparison);
   compareArea_->setWidget(comparison_);
+}
+
+// The ways to a second button; also the reference curve of the shown one, which is compared as a button.
+void MainWindow::offerToCompare() {
+  QList<QAction*> ways = actionsNamed({"open", "import", "new", "measured"});
+  if (reference_) reference_->deleteLater();  // later, because it may be what was triggered
+  DocumentTab* tab = tabs_->current();
+  if (const std::optional<Reference> shown = tab ? tab->workspace().canvas().reference() : std::nullopt) {
+    reference_ = described(new QAction(tr("The reference curve, %1").arg(shown->name), this), "reference",
+                           tr("Open the reference curve as a button and compare it"));
+    connect(reference_, &QAction::triggered, this, [this, reference = *shown] {
+      if (const auto button = Button::fromStates(reference.name.toStdString(), {reference.state}))
+        openAll({*button});
+    });
+    ways.prepend(reference_);
+  }
+  comparison_->offer(ways);
 }
 
 void MainWindow::writeComparison() {
@@ -660,6 +695,7 @@ void MainWindow::updateUnits() {
     if (unit->data().toString() == "length:" + units.lengthSymbol()) unit->setChecked(true);
     if (unit->data().toString() == "force:" + units.forceSymbol()) unit->setChecked(true);
   }
+  pageUnits_->setChecked(!at_.view.unitsChosen());
   showCursor({});
 }
 

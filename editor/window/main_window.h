@@ -128,6 +128,8 @@ class MainWindow : public QMainWindow {
   void showTab(DocumentTab* tab);
   void updateDocuments();
   void makeComparison();
+  void offerToCompare();
+  QList<QAction*> actionsNamed(std::initializer_list<const char*> names) const;
   void compareShown(DocumentTab& tab);
   void putDocksAway(bool away);
   QList<QDockWidget*> inspectorDocks() const;
@@ -174,6 +176,7 @@ class MainWindow : public QMainWindow {
   ForecastMatrix* forecasts_ = nullptr;
   ExperimenterDialog* study_ = nullptr;
   MeasuredWindow* measured_ = nullptr;
+  QPointer<QAction> reference_;  // opens the reference curve as a button, while one is offered
   QPointer<QDialog> guide_, glossary_, preferences_;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *inspectorDock_ = nullptr,
               *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr;
@@ -202,7 +205,7 @@ class MainWindow : public QMainWindow {
   QMenu* buttonMenu_ = nullptr;
   std::array<TabMenu, GraphWorkspace::editGroups> editMenus_;
   TabMenu toolMenu_, viewMenu_;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr, *pageUnits_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
   bool sessionHeld_ = true;  ///< do not store the session: no file is open yet, or all are closing
 };

@@ -254,6 +254,12 @@ void MainWindow::makeUnitActions(QMenu* menu) {
     group->addAction(unit);
     menu->addAction(unit);
   };
+  pageUnits_ = action("unitsOfPage", tr("As on the &page"),
+                      tr("Show each button in the units of the page that it was read from"), {},
+                      [this] { at_.view.followPages(); });
+  pageUnits_->setCheckable(true);
+  menu->addAction(pageUnits_);
+  menu->addSeparator();
   auto* lengths = new QActionGroup(this);
   for (const LengthUnit unit : offeredLengthUnits)
     add(lengths, "length", unitText(symbolOf(unit)),

@@ -53,8 +53,8 @@ QString Prompts::folder(QWidget* parent, const QString& title, const QString& at
 }
 
 QString Prompts::fileToSave(QWidget* parent, const QString& title, const QString& suggested,
-                            const QString& filter) {
-  return QFileDialog::getSaveFileName(parent, title, suggested, filter);
+                            const QString& filter, QString* chosen) {
+  return QFileDialog::getSaveFileName(parent, title, suggested, filter, chosen);
 }
 
 bool Prompts::confirm(QWidget* parent, const QString& question, const QString& act) {

@@ -31,8 +31,9 @@ class Prompts {
   virtual QStringList filesToOpen(QWidget* parent, const QString& title, const QString& folder,
                                   const QStringList& filters);
   virtual QString folder(QWidget* parent, const QString& title, const QString& at);
+  /// `chosen` becomes the one of several filters (separated by ";;") that was chosen.
   virtual QString fileToSave(QWidget* parent, const QString& title, const QString& suggested,
-                             const QString& filter);
+                             const QString& filter, QString* chosen = nullptr);
   /// Asks before an action that cannot be undone; `act` is the text of its button.
   virtual bool confirm(QWidget* parent, const QString& question, const QString& act);
   /// Asks for the button to start from.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/screen_fit.h"
 
+#include <algorithm>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QMainWindow>
@@ -13,6 +14,17 @@ namespace {
 void fit(QWidget& window) {
   const QSize most = window.screen()->availableSize() - roomForFrame_px;
   if (window.size() != window.size().boundedTo(most)) window.resize(window.size().boundedTo(most));
+  // Other windows are placed by the window manager.
+  const bool placed =
+      window.testAttribute(Qt::WA_Moved) && (window.windowFlags() & Qt::WindowType_Mask) == Qt::Dialog;
+  if (!placed) return;
+  const QRect screen = window.screen()->availableGeometry();
+  const QPoint last =
+      screen.bottomRight() + QPoint(1, 1) -
+      QPoint(window.width() + roomForFrame_px.width(), window.height() + roomForFrame_px.height());
+  const auto inside = [](int at, int least, int most_px) { return std::max(least, std::min(at, most_px)); };
+  const QPoint at(inside(window.x(), screen.left(), last.x()), inside(window.y(), screen.top(), last.y()));
+  if (at != window.pos()) window.move(at);
 }
 
 bool hasFrame(const QWidget& widget) {

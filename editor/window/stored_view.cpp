@@ -2,17 +2,18 @@
 #include "editor/window/stored_view.h"
 
 #include <cmath>
+#include <optional>
 
 namespace detent::editor {
 namespace {
 
-DisplayUnits storedUnits(const QSettings& settings) {
-  DisplayUnits units;
-  if (const auto length = lengthUnitFrom(settings.value("view/lengthUnit").toString().toStdString()))
-    units.length = *length;
-  if (const auto force = forceUnitFrom(settings.value("view/forceUnit").toString().toStdString()))
-    units.force = *force;
-  return units;
+/// Units that the user had chosen; nullopt: none.
+std::optional<DisplayUnits> storedUnits(const QSettings& settings) {
+  const auto length = lengthUnitFrom(settings.value("view/lengthUnit").toString().toStdString());
+  const auto force = forceUnitFrom(settings.value("view/forceUnit").toString().toStdString());
+  if (!length && !force) return {};
+  const DisplayUnits usual;
+  return DisplayUnits{length.value_or(usual.length), force.value_or(usual.force)};
 }
 
 // `fallback` unless the stored number is finite and within the range.
@@ -30,7 +31,7 @@ Appearance storedAppearance(const QSettings& settings) {
 }  // namespace
 
 void restoreView(ViewSettings& view, const QSettings& settings) {
-  view.setUnits(storedUnits(settings));
+  if (const auto units = storedUnits(settings)) view.setUnits(*units);
   SnapSettings snap;
   snap.toGrid = settings.value("snap/toGrid", snap.toGrid).toBool();
   snap.toTracedPoints = settings.value("snap/toTracedPoints", snap.toTracedPoints).toBool();
@@ -45,8 +46,9 @@ void restoreView(ViewSettings& view, const QSettings& settings) {
 }
 
 void storeView(const ViewSettings& view, QSettings& settings) {
-  settings.setValue("view/lengthUnit", view.units().lengthSymbol());
-  settings.setValue("view/forceUnit", view.units().forceSymbol());
+  const bool chosen = view.unitsChosen();
+  settings.setValue("view/lengthUnit", chosen ? view.units().lengthSymbol() : QString());
+  settings.setValue("view/forceUnit", chosen ? view.units().forceSymbol() : QString());
   const SnapSettings& snap = view.snap();
   settings.setValue("snap/toGrid", snap.toGrid);
   settings.setValue("snap/toTracedPoints", snap.toTracedPoints);

@@ -8,7 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "editor/document/described.h"
+#include "editor/document/form_widgets.h"
 #include "editor/files/recent_files.h"
 
 namespace detent::editor {
@@ -41,9 +41,8 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
                          1, false));
   layout->addSpacing(6);
   for (QAction* way : ways) {
-    auto* button = described(new QPushButton(way->text()), "welcome_" + way->objectName(), way->toolTip());
+    QPushButton* button = buttonOf(*way, "welcome_");
     button->setMinimumHeight(34);
-    connect(button, &QPushButton::clicked, way, &QAction::trigger);
     layout->addWidget(button);
   }
   recentSection_ = new QWidget;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "editor/importing/batch_import.h"
+
 namespace detent::windowtests {
 namespace {
 
@@ -33,6 +35,10 @@ WindowTestEntry::WindowTestEntry(const char* name, MakeWindowTest make, PrepareW
 
 int main(int argc, char** argv) {
   using namespace detent::windowtests;
+  if (argc > 1 && std::string(argv[1]) == detent::editor::batchWorkerOption) {
+    const QCoreApplication app(argc, argv);
+    return detent::editor::importForBatch(QCoreApplication::arguments().mid(2));
+  }
   const auto found = argc > 1 ? entries().find(argv[1]) : entries().end();
   if (found == entries().end()) {
     std::fprintf(stderr, "usage: editor_window_tests CLASS [QTEST-ARGUMENTS...]; the classes are:\n");

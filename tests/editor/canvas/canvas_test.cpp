@@ -5,8 +5,10 @@
 
 #include "editor/canvas/curve_path.h"
 #include "editor/canvas/displacement_force_view.h"
+#include "editor/canvas/graph_painting.h"
 #include "editor/canvas/unit_ticker.h"
 #include "model/edits.h"
+#include "model/file/button_file.h"
 #include "model/unit_spread.h"
 #include "tests/editor/window_tests.h"
 #include "tests/editor/workspace_rig.h"
@@ -67,6 +69,7 @@ class CanvasTest : public QObject {
   void residualsAreDrawnOnDemand();
   void fingerIsDrawnInBothViews();
   void theLegendKeepsOffTheStrokes();
+  void labelsKeepOffTheBottomOut();
   void wordsOfANoteLeaveItsNumberFree();
   void wordsOfANoteLeaveTheStrokesFree();
   void unitsScatterAsABandBehindTheirMean();
@@ -301,6 +304,52 @@ void CanvasTest::theLegendKeepsOffTheStrokes() {
     seen += std::abs(there.red() - pressColor.red()) + std::abs(there.blue() - pressColor.blue()) < 120;
   }
   QVERIFY2(seen > 0.8 * all, qPrintable(QString("%1 of %2 places of the press are seen").arg(seen).arg(all)));
+}
+
+// Labels cover neither the press, also where it is steep, nor the line at the end of the travel.
+void CanvasTest::labelsKeepOffTheBottomOut() {
+  for (const char* name : {"B", "C", "D", "E", "F"}) {
+    const Button button =
+        require(readButtonFile(std::string(DETENT_SOURCE_DIR "/samples/buttons/") + name + ".button.json"));
+    const ButtonState& state = button.states()[0];
+    const ForceGraph& graph = state.graph;
+    const GraphValues values = valuesOf(graph);
+    const GraphColors colors = graphColors(false);
+    const double most_N = std::max(graph.press().forceRange_N().second, 0.1);
+    for (const QSizeF size : {QSizeF(1000, 560), QSizeF(700, 420)}) {
+      const PlotMapping map{{QPointF(), size},
+                            {0, size.height()},
+                            0,
+                            0,
+                            size.width() / (1.05 * graph.travel_mm()),
+                            size.height() / (1.1 * most_N)};
+      std::vector<Flag> flags;
+      const DisplayUnits units;
+      const CanvasFeedback feedback;
+      GraphScene scene{state, values, colors, units, feedback, {}, {}, nullptr, {}, {}, true, {}};
+      scene.flags = &flags;
+      QImage picture(size.toSize(), QImage::Format_RGB32);
+      QPainter painter(&picture);
+      paintGraph(painter, map, scene);
+      QVERIFY(flags.size() >= 2);
+      const double end_px = map.toPixel(graph.travel_mm(), 0).x();
+      for (const Flag& flag : flags) {
+        if (isContact(flag.mark.kind)) continue;  // arrows of dimensions, and labels on their own lines
+        QVERIFY2(flag.box_px.right() < end_px || flag.box_px.left() > end_px,
+                 qPrintable(QString("%1: a label from %2 to %3, the end at %4")
+                                .arg(name)
+                                .arg(flag.box_px.left())
+                                .arg(flag.box_px.right())
+                                .arg(end_px)));
+        const StrokeCurve& press = graph.press();
+        for (int i = 0; i <= 1000; ++i) {
+          const double at_mm = press.start_mm() + press.travel_mm() * i / 1000;
+          QVERIFY2(!flag.box_px.contains(map.toPixel(at_mm, press.force_N(at_mm))),
+                   qPrintable(QString("%1 at %2 mm").arg(name).arg(at_mm)));
+        }
+      }
+    }
+  }
 }
 
 void CanvasTest::wordsOfANoteLeaveItsNumberFree() {

@@ -135,7 +135,7 @@ class FilesTest : public QObject {
 
   void aCsvOpensAsANewDocument() {
     ButtonDocument source(*tactileButton());
-    QVERIFY(exportCsv(source.button(), 0, at("bump.csv")).ok());
+    QVERIFY(exportCsv(csvText(source.button(), 0), at("bump.csv")).ok());
     auto opened = openDocument(at("bump.csv"));
     QVERIFY(opened.ok());
     QVERIFY((*opened)->path().isEmpty());
@@ -313,9 +313,9 @@ class FilesTest : public QObject {
 
   void exportsAreWhole() {
     const Button button = *tactileButton();
-    QVERIFY(exportCsv(button, 0, at("a.csv")).ok());
+    QVERIFY(exportCsv(csvText(button, 0), at("a.csv")).ok());
     QVERIFY(contentsOf(at("a.csv")).startsWith("stroke,displacement_mm,force_N\npress,0,0.3"));
-    QVERIFY(exportSemicolonCsv(button, 0, at("b.csv")).ok());
+    QVERIFY(exportCsv(withDecimalCommas(csvText(button, 0)), at("b.csv")).ok());
     QVERIFY(contentsOf(at("b.csv")).startsWith("stroke;displacement_mm;force_N\npress;0;0,3\n"));
     QCOMPARE(contentsOf(at("b.csv")).replace(',', '.').replace(';', ','), contentsOf(at("a.csv")));
     QImage picture(20, 10, QImage::Format_RGB32);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many files imported at once: each result is the one of the importer alone, and leads somewhere.
 
+#include <csignal>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -125,6 +127,22 @@ class BatchTest : public QObject {
       rig.dialog->grab().save(pictures + "/batch.png");
     QVERIFY2(rig.summary().contains("6 of 6 files. Buttons: 2, questions: 1, refused: 3."),
              qPrintable(rig.summary()));
+  }
+
+  // A reader that crashes ends its own process: the file is refused, and the others are read.
+  void aCrashCostsOneFile() {
+    BatchRig rig(at("."));
+    rig.files = {sample("two-level-legend.png"), sample("force-meter-log.csv"),
+                 sample("force-meter-log.csv")};
+    rig.button("batchFiles").click();
+    QVERIFY(QTest::qWaitFor([&] { return rig.cell(0, 1) == "Reading…"; }, patience_ms));
+    for (const auto* process : rig.dialog->findChildren<QProcess*>())
+      if (process->arguments().contains(rig.files[0]))
+        ::kill(static_cast<pid_t>(process->processId()), SIGSEGV);
+    QVERIFY(QTest::qWaitFor([&] { return !rig.running(); }, patience_ms));
+    QCOMPARE(rig.cell(0, 1), QString("Refused"));
+    QVERIFY2(rig.cell(0, 2).contains("crashed"), qPrintable(rig.cell(0, 2)));
+    for (int row = 1; row < 3; ++row) QVERIFY2(rig.cell(row, 1).endsWith('%'), qPrintable(rig.cell(row, 1)));
   }
 
   void aDoubleClickOpensTheGraphInTheImportDialogue() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures, lists, templates, differences.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -16,6 +19,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "editor/document/graph_colors.h"
+#include "editor/document/series_colors.h"
 #include "editor/files/document_files.h"
 #include "editor/library/compare_panel.h"
 #include "editor/library/compare_plot.h"
@@ -52,6 +57,36 @@ const DifferenceRow* rowNamed(const std::vector<DifferenceRow>& rows, const QStr
   for (const DifferenceRow& row : rows)
     if (row.name == name) return &row;
   return nullptr;
+}
+
+/// CIELAB of a colour as seen with all cones (0), or without the long, middle or short ones (Machado,
+/// Oliveira and Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", 2009,
+/// severity 1).
+std::array<double, 3> seenAs(const QColor& color, int cones) {
+  static constexpr double mixed[4][3][3] = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}},
+      {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}},
+      {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
+  static constexpr double toXyz[3][3] = {
+      {0.4339, 0.3762, 0.1899}, {0.2127, 0.7152, 0.0722}, {0.0178, 0.1095, 0.8728}};
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  const double rgb[3] = {linear(color.redF()), linear(color.greenF()), linear(color.blueF())};
+  double seen[3] = {}, f[3] = {};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) seen[i] += mixed[cones][i][j] * rgb[j];
+    seen[i] = std::clamp(seen[i], 0.0, 1.0);
+  }
+  for (int i = 0; i < 3; ++i) {
+    double share = 0;  // of white
+    for (int j = 0; j < 3; ++j) share += toXyz[i][j] * seen[j];
+    f[i] = share > 0.008856 ? std::cbrt(share) : 7.787 * share + 16.0 / 116;
+  }
+  return {116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])};
+}
+
+double differenceOf(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 }  // namespace
@@ -164,7 +199,7 @@ class LibraryTest : public QObject {
              {KeyFigure::totalTravel, "Total travel"},
              {KeyFigure::preTravel, "Pre-travel"},
              {KeyFigure::resetTravel, "Reset point"},
-             {KeyFigure::bottomOutTravel, "Travel to the bottom-out"},
+             {KeyFigure::bottomOutTravel, "Bottom-out travel"},
              {KeyFigure::initialForce, "Initial force"},
              {KeyFigure::hysteresis, "Hysteresis"}}) {
       const DifferenceRow* row = rowNamed(rows, name);
@@ -195,6 +230,23 @@ class LibraryTest : public QObject {
     const DifferenceRow* second = rowNamed(rows, "Press 2: peak force");
     QVERIFY(second && !second->values[0] && second->values[1]);
     QCOMPARE(shownDifference(*second, 1, {}), QString("\u2013"));
+  }
+
+  void everyoneDistinguishesTheColoursOfAComparison() {
+    constexpr double plainlyDifferent = 20;
+    for (const bool dark : {false, true})
+      for (std::size_t a = 0; a < seriesColors; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+          for (int cones = 0; cones < 4; ++cones) {
+            const double apart =
+                differenceOf(seenAs(seriesColor(a, dark), cones), seenAs(seriesColor(b, dark), cones));
+            QVERIFY2(apart > plainlyDifferent, qPrintable(QString("%1 colours %2 and %3, eye %4: %5")
+                                                              .arg(dark ? "dark" : "light")
+                                                              .arg(b + 1)
+                                                              .arg(a + 1)
+                                                              .arg(cones)
+                                                              .arg(apart)));
+          }
   }
 
   void severalAreComparedAndReadOff() {

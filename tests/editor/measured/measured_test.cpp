@@ -7,11 +7,13 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "editor/measured/filter_bar.h"
 #include "editor/measured/measured_window.h"
 #include "editor/measured/measured_words.h"
 #include "model/templates.h"
@@ -106,6 +108,21 @@ class MeasuredTest : public QObject {
     QCOMPARE(table.shown()[0], SwitchIndex(17));
     QCOMPARE(*table.distanceOf(17), 0.0);
     QVERIFY(*table.distanceOf(table.shown()[89]) > *table.distanceOf(table.shown()[1]));
+  }
+
+  // A limit is a force or a length: another unit shows it with another number, and back again with the first.
+  void limitsOfAFilterStayWhenTheUnitChanges() {
+    const DisplayUnits cN, gf{LengthUnit::millimetre, ForceUnit::gramForce};
+    FilterBar bar(cN);
+    bar.show();
+    bar.findChild<QPushButton*>("measuredAddRange")->click();
+    auto* least = bar.findChild<QLineEdit*>("measuredLeast");
+    QTest::keyClicks(least, "24");
+    bar.setUnits(gf);
+    QVERIFY2(least->text().startsWith("24.473"), qPrintable(least->text()));
+    QVERIFY(std::abs(bar.filter().ranges.at(0).low - 0.24) < 1e-9);
+    bar.setUnits(cN);
+    QCOMPARE(least->text(), QString("24"));
   }
 
   void fiveThousandAreShownWithoutAWait() {

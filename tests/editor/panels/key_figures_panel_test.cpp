@@ -68,6 +68,7 @@ class KeyFiguresPanelTest : public QObject {
   void aTypedFigureIsOneStepAndMovesNothingElse();
   void whatIsKeptStays();
   void whatIsWantedIsShownBeforeItIsTaken();
+  void whatMovesIsSaidBeforeItIsTaken();
   void contradictionsAreNamed();
   void aLimitIsNamedWithWhatStandsInTheWay();
   void whereASolveEndsIsTheSameEverywhere();
@@ -191,6 +192,38 @@ void KeyFiguresPanelTest::whatIsWantedIsShownBeforeItIsTaken() {
   QVERIFY(std::abs(valueOf(rig, totalTravel) - 3.6) < 1e-4);
   QVERIFY(rig.document.graph().release());
   QCOMPARE(rig.document.graph().release()->end_mm(), rig.press().end_mm());  // both strokes end together
+}
+
+// A drop moves peak and valley, and with the valley the curve up to the bottom-out.
+void KeyFiguresPanelTest::whatMovesIsSaidBeforeItIsTaken() {
+  WorkspaceRig rig(tactile());
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  panel.show();
+  KeyFiguresModel& model = panel.model();
+  const auto* said = panel.findChild<QLabel*>("keyFiguresMoves");
+  QVERIFY(!said->isVisible());
+  const Button before = rig.button();
+  QVERIFY(typed(model, KeyFigure::drop, KeyFiguresModel::wanted, "20"));
+  QVERIFY(rig.button() == before);
+  QVERIFY2(said->isVisible() && said->text().startsWith("Moves the press from"), qPrintable(said->text()));
+  QVERIFY2(said->text().contains("Also changes: ") && said->text().contains("Valley force") &&
+               !said->text().contains("Tactile drop") && !said->text().contains("the release"),
+           qPrintable(said->text()));
+  // The stretch that is named is the one that moves.
+  const QStringList ends = said->text().section("from ", 1).section(" mm", 0, 0).split(" to ");
+  const StrokeCurve &was = before.states()[0].graph.press(), &is = model.preview()->graph.press();
+  for (double at_mm = 0; at_mm <= was.end_mm(); at_mm += 0.01)
+    if (at_mm < ends[0].toDouble() - 0.02 || at_mm > ends[1].toDouble() + 0.02)
+      QVERIFY2(std::abs(was.force_N(at_mm) - is.force_N(at_mm)) < 2e-4, qPrintable(QString::number(at_mm)));
+  model.giveUp();
+  QVERIFY(!said->isVisible());
+  // A figure that applies at once says it, too; a contact moves no curve.
+  QVERIFY(typed(model, KeyFigure::preTravel, KeyFiguresModel::now, "1.7"));
+  QVERIFY2(said->isVisible() && said->text().startsWith("Also changes: ") &&
+               said->text().contains("Operating force"),
+           qPrintable(said->text()));
+  rig.document.history().stack().undo();
+  QVERIFY(!said->isVisible());
 }
 
 void KeyFiguresPanelTest::contradictionsAreNamed() {

@@ -99,6 +99,11 @@ class MagneticDialogTest : public QObject {
     QCOMPARE(said(dialog, "magneticReadings"), "Readings from good.csv.");
     QVERIFY(header(dialog).contains("Readings as measured") &&
             header(dialog).contains("DETENT_READING_AT_END 900"));
+    // The example in the dialogue is a file that is read.
+    const QString example = said(dialog, "magneticFormat").section("Example:\n", 1);
+    dialog.readSensor(written("example.csv", example.toUtf8()));
+    QCOMPARE(said(dialog, "magneticReadings"), "Readings from example.csv.");
+    dialog.readSensor(folder.filePath("good.csv"));
     dialog.readSensor(folder.filePath("none.csv"));
     QVERIFY(header(dialog).contains("DETENT_READING_AT_END 900"));  // the last good ones stay
   }

@@ -25,7 +25,8 @@ class ScriptedPrompts : public Prompts {
   std::deque<GraphExport> graphAnswers;
   int unexpected = 0;
   QStringList lastUnsaved;
-  QString lastSuggested, lastFolder;
+  QString lastSuggested, lastFolder, lastFilter;
+  int filterAnswer = 0;  ///< index of the filter that is chosen for a file to save
 
   SaveChoice unsaved(QWidget*, const QStringList& titles) override {
     lastUnsaved = titles;
@@ -38,8 +39,11 @@ class ScriptedPrompts : public Prompts {
     lastFolder = now;
     return next(saveAnswers, {});
   }
-  QString fileToSave(QWidget*, const QString&, const QString& suggested, const QString&) override {
+  QString fileToSave(QWidget*, const QString&, const QString& suggested, const QString& filter,
+                     QString* chosen) override {
     lastSuggested = suggested;
+    lastFilter = filter;
+    if (chosen) *chosen = filter.split(";;").value(filterAnswer);
     return takesSuggestions ? suggested : next(saveAnswers, {});
   }
   bool confirm(QWidget*, const QString&, const QString&) override { return next(confirmAnswers, false); }

@@ -30,6 +30,7 @@
 #include <QSpinBox>
 #include <QStyleOptionComboBox>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -174,6 +175,12 @@ struct Rig {
   std::unique_ptr<MainWindow> window;
 };
 
+/// Written to the folder that DETENT_PICTURES names, if it does.
+void savePicture(QWidget& widget, const QString& name) {
+  if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty())
+    widget.grab().save(folder + '/' + name + ".png");
+}
+
 double luminance(const QColor& color) {
   const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
   return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
@@ -314,11 +321,9 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60000);
     QTest::qWait(100);
     cut << cutTexts(*import) << cutTexts(*rig.window->findChild<ComparePanel*>());
-    if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty()) {
-      rig.window->grab().save(folder + "/german-window.png");
-      import->grab().save(folder + "/german-import.png");
-      rig.window->findChild<ComparePanel*>()->grab().save(folder + "/german-compare.png");
-    }
+    savePicture(*rig.window, "german-window");
+    savePicture(*import, "german-import");
+    savePicture(*rig.window->findChild<ComparePanel*>(), "german-compare");
     import->close();
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
   }
@@ -1860,6 +1865,103 @@ class WindowTest : public QObject {
     QVERIFY2(table.contains("Pre-travel\t2\tmm\n"), qPrintable(table));
   }
 
+  // A button that was read from a page in gf is shown in gf, until the user chooses a unit.
+  void theUnitsOfThePageStayUntilOthersAreChosen() {
+    Rig rig(folder_->path());
+    const auto read = readButtonFile(sample("buttons/B.button.json").toStdString());
+    QVERIFY(read.ok());
+    Provenance from;
+    from.xAxis = AxisProvenance{"mm", 0, 4, 0.3, DecidedBy::found};
+    from.yAxis = AxisProvenance{"gf", 0, 120, 0.3, DecidedBy::found};
+    const auto ofPage = Button::fromStates("in gf", read->states(), from);
+    QVERIFY(ofPage.ok());
+    const auto shown = [&] { return rig.window->findChild<QToolButton*>("unitButton")->text(); };
+    QCOMPARE(shown(), QString("mm, cN"));
+    DocumentTab& inGf = rig.window->tabs().add(std::make_unique<ButtonDocument>(*ofPage));
+    QCOMPARE(shown(), QString("mm, gf"));
+    rig.window->files().open({sample("buttons/C.button.json")});
+    QCOMPARE(shown(), QString("mm, cN"));
+    rig.window->tabs().show(inGf.document());
+    QCOMPARE(shown(), QString("mm, gf"));
+    storeView(rig.view, rig.settings);  // units that nobody chose are not chosen for the next run
+    ViewSettings next;
+    restoreView(next, rig.settings);
+    QVERIFY(!next.unitsChosen());
+    rig.action("unit_force_N")->trigger();
+    QCOMPARE(shown(), QString("mm, N"));
+    rig.window->tabs().show(rig.window->tabs().all()[1]->document());
+    QCOMPARE(shown(), QString("mm, N"));
+    storeView(rig.view, rig.settings);
+    restoreView(next, rig.settings);
+    QVERIFY(next.unitsChosen() && next.units().force == ForceUnit::newton);
+    rig.window->tabs().show(inGf.document());
+    rig.action("unitsOfPage")->trigger();
+    QCOMPARE(shown(), QString("mm, gf"));
+  }
+
+  void theTableOfValuesShowsAllItsColumns() {
+    for (const char* name : {"B", "EF"}) {
+      Rig rig(folder_->path());
+      rig.window->resize(1366, 768);
+      rig.window->files().open({sample("buttons/") + name + ".button.json"});
+      QTest::qWait(50);
+      rig.action("valuesDockToggle")->trigger();
+      QTest::qWait(50);
+      savePicture(*rig.window, QString("values-%1").arg(name));
+      const QHeaderView& heads =
+          *rig.window->findChild<ValuesPanel*>()->findChild<QTableView*>()->horizontalHeader();
+      QVERIFY2(heads.length() <= heads.viewport()->width(),
+               qPrintable(QString("%1 of %2 px").arg(heads.viewport()->width()).arg(heads.length())));
+    }
+  }
+
+  // A dialogue beside the graph opens on the screen, wherever the window is.
+  void dialoguesBesideTheGraphOpenOnTheScreen() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    const QRect screen = rig.window->screen()->availableGeometry();
+    rig.window->resize(screen.size());
+    for (const QPoint& place : {screen.topLeft(), screen.bottomRight() - QPoint(200, 150),
+                                QPoint(screen.left() - rig.window->width() + 50, screen.top() - 300)}) {
+      rig.window->move(place);
+      QTest::qWait(20);
+      rig.action("operationContacts")->trigger();
+      auto* dialog = rig.window->findChild<OperationDialog*>();
+      QVERIFY(dialog && dialog->isVisible());
+      QVERIFY2(screen.contains(QRect(dialog->pos(), dialog->size() + QSize(8, 40))),
+               qPrintable(QString("%1, %2").arg(dialog->x()).arg(dialog->y())));
+      dialog->reject();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+  }
+
+  // The dialogue names the units of the columns: mm and N as in every file, or those of the window.
+  void samplesAreWrittenInTheUnitsThatAreChosen() {
+    Rig rig(folder_->path());
+    rig.view.setUnits({LengthUnit::micrometre, ForceUnit::gramForce});
+    rig.window->files().open({sample("buttons/B.button.json")});
+    for (const auto& [action, filter, header, first] :
+         {std::tuple{"exportCsv", 0, "stroke,displacement_mm,force_N", "press,0,0.32"},
+          {"exportCsv", 1, "stroke,displacement_µm,force_gf", "press,0,32.630918"},
+          {"exportSemicolonCsv", 0, "stroke;displacement_mm;force_N", "press;0;0,32"},
+          {"exportSemicolonCsv", 1, "stroke;displacement_µm;force_gf", "press;0;32,630918"},
+          {"exportCsvAt", 1, "stroke,displacement_µm,force_gf", "press,0,32.630918"}}) {
+      rig.prompts.textAnswers = {QString("0.5 mm")};
+      rig.prompts.saveAnswers = {at("units.csv")};
+      rig.prompts.filterAnswer = filter;
+      rig.action(action)->trigger();
+      const QStringList filters = rig.prompts.lastFilter.split(";;");
+      QCOMPARE(filters.size(), 2);
+      QVERIFY2(filters[0].contains("mm and N") && filters[1].contains("µm and gf"),
+               qPrintable(rig.prompts.lastFilter));
+      QFile written(at("units.csv"));
+      QVERIFY(written.open(QIODevice::ReadOnly));
+      const QStringList lines = QString::fromUtf8(written.readAll()).split('\n');
+      QCOMPARE(lines[0], QString::fromUtf8(header));
+      QVERIFY2(lines[1].startsWith(QLatin1String(first)), qPrintable(lines[1]));
+    }
+  }
+
   void samplesAreWrittenAtGivenTravels() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json")});
@@ -1881,6 +1983,70 @@ class WindowTest : public QObject {
       QVERIFY2(exported(wrong, "wrong.csv").isEmpty(), wrong);
       QVERIFY2(!rig.notices().join(' ').contains(".."), qPrintable(rig.notices().join(' ')));
     }
+  }
+
+  // In a window of 1366 x 768, whatever the number of buttons; with many the numbers scroll.
+  void namesOfAComparisonAreReadWhole() {
+    Rig rig(folder_->path());
+    rig.window->resize(1366, 768);
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/E.button.json")});
+    rig.action("compare")->trigger();
+    auto* panel = rig.window->findChild<ComparePanel*>();
+    auto* table = panel->findChild<QTableWidget*>("compareTable");
+    for (int buttons = 2; buttons <= static_cast<int>(ComparePanel::mostSides); ++buttons) {
+      QTest::qWait(50);
+      savePicture(*rig.window, QString("compare-%1").arg(buttons));
+      const QHeaderView& names = *table->verticalHeader();
+      const int room_px = names.isVisible()
+                              ? names.width() - 2 * names.style()->pixelMetric(QStyle::PM_HeaderMargin)
+                              : table->columnWidth(0) - 6;
+      for (int row = 0; row < table->rowCount(); ++row) {
+        const QString name = table->item(row, 0)->text();
+        QVERIFY2(table->fontMetrics().horizontalAdvance(name) <= room_px,
+                 qPrintable(QString("%1 buttons, %2 px: %3").arg(buttons).arg(room_px).arg(name)));
+      }
+      if (buttons <= 3) QVERIFY2(names.isHidden(), qPrintable(QString::number(buttons)));
+      panel->findChild<QPushButton*>("compareAdd")->click();
+    }
+  }
+
+  // One open button: the comparison says what it needs, and the second button joins it.
+  void aComparisonOfOneButtonLeadsToASecondOne() {
+    Rig rig(folder_->path());
+    rig.window->resize(1366, 768);
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.action("compare")->trigger();
+    auto* panel = rig.window->findChild<ComparePanel*>();
+    const auto visible = [&](const char* name) { return panel->findChild<QWidget*>(name)->isVisible(); };
+    QTest::qWait(50);
+    savePicture(*rig.window, "compare-alone");
+    QVERIFY(visible("compareAlone") && !visible("compareTable"));
+    QVERIFY(panel->findChild<QLabel*>("compareWhat")->text().contains("second button"));
+    for (const char* way : {"compare_open", "compare_new", "compare_measured"}) QVERIFY2(visible(way), way);
+    QVERIFY(!panel->findChild<QPushButton*>("compare_reference"));
+    rig.prompts.openAnswers = {{sample("buttons/C.button.json")}};
+    panel->findChild<QPushButton*>("compare_open")->click();
+    QTest::qWait(50);
+    QVERIFY(panel->isVisible() && visible("compareTable") && !visible("compareAlone"));
+    const auto choice = [&](const char* name) { return panel->findChild<QComboBox*>(name)->currentText(); };
+    QCOMPARE(choice("compareButtonA"), rig.window->tabs().all()[0]->document().title());
+    QCOMPARE(choice("compareButtonB"), rig.window->tabs().all()[1]->document().title());
+
+    // A reference curve that stands behind the button is one of the ways.
+    rig.window->tabs().remove(*rig.window->tabs().all()[1]);
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    canvas.showReference(Reference{canvas.state(), "as measured"});
+    rig.action("edit")->trigger();
+    rig.action("compare")->trigger();
+    panel->findChild<QPushButton*>("compare_reference")->click();
+    QVERIFY(visible("compareTable"));
+    QCOMPARE(choice("compareButtonB"), QString("as measured"));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    // The two states of one button are a comparison.
+    for (DocumentTab* tab : rig.window->tabs().all()) rig.window->tabs().remove(*tab);
+    rig.window->files().open({sample("buttons/latch.button.json")});
+    rig.action("compare")->trigger();
+    QVERIFY(visible("compareTable"));
   }
 
   void comparesTheOpenOnes() {

@@ -358,7 +358,7 @@ class PageInBrowser(unittest.TestCase):
                                      "[...r.cells].slice(1).map((c) => c.textContent)])"))
         of = {n: i for i, n in enumerate(self.names)}
         self.assertEqual("1.60\u00a0N", rows["Peak force"][of["D"]])  # the larger of its two drops
-        self.assertEqual("2.10\u00a0mm", rows["Travel to the peak"][of["D"]])
+        self.assertEqual("2.10\u00a0mm", rows["Peak travel"][of["D"]])
         self.assertEqual("–", rows["Peak force"][of["A"]])
         self.assertEqual("-1.50\u00a0N/mm", rows["Spring rate of the drop"][of["D"]])
 
