@@ -10567,6 +10567,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Choose a lower quality</source>
         <translation>Eine niedrigere Qualität wählen</translation>
     </message>
+    <message>
+        <source>the curves carry error bars (%1); they are left out</source>
+        <translation>die Kurven tragen Fehlerbalken (%1); sie wurden weggelassen</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
