@@ -275,8 +275,7 @@ void AxisBox::follow(bool ofLog) {
   const AxisCorrection& correction = given.axis(axis_);
   showEnds(correction, onPage);
   showUnit(given, reading);
-  range_->setOrigin(!correction.empty(),
-                    shown ? confidenceOf(shown->evidence, importer::ImportStep::axes) : std::nullopt);
+  range_->setOrigin(!correction.empty(), reading ? std::optional(reading->sure) : std::nullopt);
   const QString details = detailsOf(correction, reading);
   details_->setText(details);
   details_->setVisible(!ofLog);

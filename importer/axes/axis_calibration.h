@@ -46,6 +46,7 @@ struct AxisReading {
   std::vector<std::string> contradicting;
   /// confidence in the scale of the labels, if `contradicting` is not empty, 0..1
   double contradictedBy = 0;
+  double sure = 0;  ///< confidence in the range of this axis alone, 0..1
 };
 
 /// Distortion of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight

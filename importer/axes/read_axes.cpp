@@ -682,6 +682,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   found.texts = allTexts(r, xLabels, yLabels);
   const double xSure = sureOf(xLabels, xGiven.range(), corners[3].x, r.box.width()),
                ySure = sureOf(yLabels, yGiven.range(), corners[3].y, r.box.height());
+  cal.x.sure = xSure, cal.y.sure = ySure;
   found.calibration.confidence = xSure * ySure * sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   if (xGiven.any()) compareWithLabels(cal.x, {Axis::x, corners[3].x, corners[2].x, x}, r, xLabels);

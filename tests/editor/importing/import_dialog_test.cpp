@@ -307,7 +307,13 @@ void ImportDialogTest::aNamedTickKeepsTheOthers() {
   QTemporaryDir folder;
   ShownView view({800, 600});
   ImportState& state = view.state();
+  ViewSettings settings;
+  FindingsPanel panel(state, settings);
   QVERIFY(open(state, drawingWithAMisprint(folder)));
+  const auto forceRange = [&] {
+    return panel.findChild<QToolButton*>("resetY")->parentWidget()->findChild<QLabel*>()->text();
+  };
+  const QString forceBefore = forceRange();
   const auto before = *report(state).x;
   QCOMPARE(std::ranges::count_if(before.ticks, &importer::TickLabel::agrees), 8);
   const auto& ticks = view.drawn().xTicks;
@@ -323,6 +329,7 @@ void ImportDialogTest::aNamedTickKeepsTheOthers() {
   QCOMPARE(after.min, 0.0);
   QCOMPARE(after.max, before.max);
   QCOMPARE(std::ranges::count_if(after.ticks, &importer::TickLabel::agrees), 8);
+  QCOMPARE(forceRange(), forceBefore);  // says nothing about the axis that was not corrected
   QVERIFY(after.contradicting.empty());
   QVERIFY(!report(state).doubt);
 }
