@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "importer/page/quantile.h"
+#include <utility>
+#include <vector>
 
 namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kBarCore = 0.5F, kBarRim = 0.15F;  // coverage of a line's core, and of its blurred rim
-constexpr int kLeastBar_px = 9;                    // height of a bar
-constexpr std::size_t kFewestBars = 5;             // bars of one colour
-constexpr double kTimesCurve = 2;                  // height of a bar over the curve's beside it
-constexpr double kUnlikeArms = 0.25;               // of a bar's height, between its arms
+constexpr float kBarCore = 0.5F;        // coverage of a line's core
+constexpr int kLeastBar_px = 9;         // height of a bar
+constexpr std::size_t kFewestBars = 5;  // bars in a row on one curve
+constexpr double kTimesCurve = 2;       // height of a bar over the curve's beside it
+constexpr double kUnlikeArms = 0.25;    // of a bar's height, between its arms
 
 struct ColumnRun {
   int top, bottom;
@@ -93,6 +93,43 @@ std::optional<ErrorBar> errorBarAt(const ColumnRuns& columns, int x, const Colum
   return bar;
 }
 
+/// The next bar on the right along the same curve; letters are not joined to others in this way.
+std::optional<std::size_t> nextAlong(const ColumnRuns& columns, const std::vector<ErrorBar>& bars,
+                                     std::size_t from) {
+  constexpr int mostGap = 3, reach_px = 2;  // columns; rows
+  double row = bars[from].rightRow;
+  int gap = 0;
+  for (int x = bars[from].right; x < columns.count() && gap <= mostGap; ++x) {
+    const int at = static_cast<int>(std::lround(row));
+    const auto isThere = [&](const ErrorBar& bar) {
+      return bar.left <= x && x <= bar.right && std::abs(bar.leftRow - row) <= 0.5 * bar.thickness + reach_px;
+    };
+    const auto found =
+        std::find_if(bars.begin() + static_cast<std::ptrdiff_t>(from) + 1, bars.end(), isThere);
+    if (found != bars.end()) return static_cast<std::size_t>(found - bars.begin());
+    const auto run = columns.beside(x, {at - reach_px, at + reach_px});
+    gap = run ? 0 : gap + 1;
+    if (run) row = run->middle();
+  }
+  return {};
+}
+
+/// The bars that stand in a row of at least `kFewestBars` on one curve.
+std::vector<ErrorBar> onOneCurve(const ColumnRuns& columns, std::vector<ErrorBar> bars) {
+  std::ranges::sort(bars, {}, &ErrorBar::left);
+  std::vector<std::size_t> next(bars.size(), bars.size()), before(bars.size(), 1), behind(bars.size(), 1);
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    next[i] = nextAlong(columns, bars, i).value_or(bars.size());
+    if (next[i] < bars.size()) before[next[i]] = std::max(before[next[i]], before[i] + 1);
+  }
+  for (std::size_t i = bars.size(); i-- > 0;)
+    if (next[i] < bars.size()) behind[i] = behind[next[i]] + 1;
+  std::vector<ErrorBar> kept;
+  for (std::size_t i = 0; i < bars.size(); ++i)
+    if (before[i] + behind[i] > kFewestBars) kept.push_back(bars[i]);
+  return kept;
+}
+
 void eraseBar(Plane& plane, const ColumnRuns& columns, const ErrorBar& bar) {
   constexpr int rim_px = 2;
   const int x0 = std::max(0, bar.left), x1 = std::min(plane.width - 1, bar.right);
@@ -104,20 +141,19 @@ void eraseBar(Plane& plane, const ColumnRuns& columns, const ErrorBar& bar) {
     for (int y = y0; y <= y1; ++y)
       if (std::abs(y - row) > 0.5 * bar.thickness + 1) plane.at(x, y) = 0;
   }
-  // A cap is as thin as the bar and no longer than it; the curve may run through it.
-  const int thin_px = bar.right - bar.left + rim_px;
-  for (const int end : {bar.rows.top, bar.rows.bottom})
+  // A cap is as thin as the bar, level with its end and no longer than it.
+  constexpr double level_px = 1.5;
+  const int thick_px = std::max(1, bar.right - bar.left - 1 - rim_px);
+  for (const int end : {bar.rows.top, bar.rows.bottom - thick_px + 1})
     for (const int step : {-1, 1}) {
-      const ColumnRun rows{std::max(0, end - thin_px), std::min(plane.height - 1, end + thin_px)};
+      const ColumnRun level{end, end + thick_px - 1};
       for (int by = 0; by < bar.rows.height(); ++by) {
         const int x = (step < 0 ? bar.left : bar.right) + step * by;
-        const auto cap = columns.beside(x, rows);
-        if (!cap || cap->height() > thin_px) break;
-        for (int y = cap->top; y > 0 && y > cap->top - thin_px && plane.at(x, y) > kBarRim; --y)
-          plane.at(x, y) = 0;
-        for (int y = cap->top + 1; y < plane.height && y < cap->bottom + thin_px && plane.at(x, y) > kBarRim;
-             ++y)
-          plane.at(x, y) = 0;
+        const auto cap = columns.beside(x, level);
+        if (!cap || cap->height() > thick_px + rim_px || std::abs(cap->middle() - level.middle()) > level_px)
+          break;
+        const int last = std::min(plane.height - 1, cap->bottom + rim_px);
+        for (int y = std::max(0, cap->top - rim_px); y <= last; ++y) plane.at(x, y) = 0;
       }
     }
 }
@@ -135,12 +171,7 @@ std::size_t eraseErrorBars(Plane& plane) {
       };
       if (bar && std::ranges::none_of(bars, isSame)) bars.push_back(*bar);
     }
-  if (bars.size() < kFewestBars) return 0;
-  std::vector<double> heights;
-  for (const ErrorBar& bar : bars) heights.push_back(bar.rows.height());
-  const double usual = quantileOf(heights, 0.5);
-  std::erase_if(bars, [&](const ErrorBar& bar) { return bar.rows.height() > 3 * usual; });
-  if (bars.size() < kFewestBars) return 0;
+  bars = onOneCurve(columns, std::move(bars));
   for (const ErrorBar& bar : bars) eraseBar(plane, columns, bar);
   return bars.size();
 }

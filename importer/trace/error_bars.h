@@ -10,8 +10,9 @@
 
 namespace detent::importer::trace {
 
-/// Erases the bars, and the caps at their ends, from the coverage by one colour. Fewer than five stay: a marker
-/// line or a leader crosses a curve as well. Returns the number of erased bars.
+/// Erases the bars, and the caps at their ends, from the coverage by one colour. Fewer than five in a row on
+/// one curve stay: a marker line or a leader crosses a curve as well, and letters have such parts. Returns the
+/// number of erased bars.
 std::size_t eraseErrorBars(Plane& coverage);
 
 }  // namespace detent::importer::trace

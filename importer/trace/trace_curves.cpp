@@ -602,7 +602,9 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
   if (!traces) return traces;
   for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, scene.plotFrame());
   cutAcrossToEdges(*traces, scene);
-  addLostBottomOuts(*traces, scene);
+  // The last error bar stands on the end of its curve as a bottom-out does.
+  if (std::ranges::none_of(*traces, [](const CurveTrace& trace) { return trace.errorBars > 0; }))
+    addLostBottomOuts(*traces, scene);
   return traces;
 }
 
