@@ -21,7 +21,6 @@ Json strokeJson(const StrokeReport& stroke) {
   for (const FittedTactilePoint& p : stroke.fit.tactilePoints) {
     points.push_back({{"displacement_mm", p.point.displacement_mm},
                       {"force_N", p.point.force_N},
-                      {"prominence_N", p.point.prominence_N},
                       {"sigma_mm", p.sigma_mm},
                       {"sigma_N", p.sigma_N}});
   }

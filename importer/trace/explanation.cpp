@@ -349,6 +349,15 @@ std::optional<Remainder> riseBeyond(const Drawn& curve, const cv::Mat& covered, 
   };
   while (rows >= fewestRows && !shows(above)) rows = 9 * rows / 10;
   if (rows < fewestRows) return {};
+  // What a curve follows already is no rival: a thick bottom-out shows beside its trace.
+  std::size_t followed = 0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    const Point at{end.x, end.y - margin - static_cast<double>(k)};
+    followed += std::ranges::any_of(plot.drawn(), [&](const Drawn& other) {
+      return distance(nearestOn(other.points, at), at) < 2 * curve.thickness_px + 2;
+    });
+  }
+  if (2 * followed > rows) return {};
   // A filled or hatched area is as dark on both sides of the lane.
   const int aside = 2 * static_cast<int>(std::ceil(curve.thickness_px)) + 6;
   const auto isDark = [&](int at) {

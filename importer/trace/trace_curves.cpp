@@ -19,7 +19,6 @@
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/dashed_beside.h"
 #include "importer/trace/edge_cut.h"
-#include "importer/trace/error_bars.h"
 #include "importer/trace/legend_words.h"
 #include "importer/trace/line_ends.h"
 #include "importer/trace/plot_scene.h"
@@ -457,7 +456,7 @@ std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTra
   constexpr double smallFrame_px = 360, mediumFrame_px = 720,
                    agreeing = 0.9;  // widths; of a path that lies on a stroke
   const double width_px = plot.area().frame.width();
-  if (traces.size() < 2 || width_px > mediumFrame_px) return {};
+  if (traces.size() < 2 || width_px > mediumFrame_px || plot.errorBars > 0) return {};
   const bool small = width_px <= smallFrame_px && anyLost(traces);
   if (!small && !anyStopsLow(traces)) return {};
   auto loop = traceLoop(plot.area(), coverageBy(darkness(plot), OtherColours::ignored, plot),
@@ -508,12 +507,9 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
     // A press alone keeps its words: a legend with both keys in its colour names a release that was not
     // found.
     const auto loopIn = [&](const PaletteColour& colour, OtherColours others) {
-      Plane own = coverageBy(colour, others, plot);
-      const std::size_t bars = eraseErrorBars(own);
-      auto loop = traceLoop(scene.area(), own, plot.colorOf(colour), options, progress);
+      auto loop =
+          traceLoop(scene.area(), coverageBy(colour, others, plot), plot.colorOf(colour), options, progress);
       if (loop && loop->size() == 1) labelTraces(*loop, axes, view, scene);
-      if (loop)
-        for (CurveTrace& trace : *loop) trace.errorBars = bars;
       return loop;
     };
     if (curves.empty()) return loopIn(darkness(plot), OtherColours::ignored);

@@ -211,9 +211,9 @@ class Walk:
         table = wait_for("three columns", lambda: self.columns_of(self.editor.find("compareTable"), 4))
         largest = [row for row in table if "largest force" in row[0]][0]
         for shown, plot in zip(largest[1:4], (BARE, WHOLE, WITHOUT_UNIT)):
-            true_cN = 100 * max(force(x / 100, plot.bump) for x in range(401))
-            if abs(float(shown) - true_cN) > 1.5:
-                raise AssertionError(f"the largest forces {largest[1:4]} cN, not {true_cN:.1f}")
+            true_N = max(force(x / 100, plot.bump) for x in range(401))
+            if abs(float(shown) - true_N) > 0.015:
+                raise AssertionError(f"the largest forces {largest[1:4]} N, the unit of the pages, not {true_N:.3f}")
         left, top, width, height = self.editor.at_rest("comparePlot")["axes"]["rect"]
         middle = top + height / 2
         self.desktop.click((left + 0.3 * width, middle))

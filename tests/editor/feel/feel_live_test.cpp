@@ -242,7 +242,7 @@ class FeelLiveTest : public QObject {
     server.start();
     if (skipped(server, "the feel panel's return of a device")) return;
     QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 10000);
-    QTRY_VERIFY(rig.status().contains("losses: 1"));
+    QTRY_VERIFY(rig.status().contains("lost: 1"));
     JackListener listener;
     QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
     rig.press();
