@@ -830,7 +830,7 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
                 const std::vector<QPointF>& strokes_px) {
   // distance of the flag from the curve, beyond the force label of a tactile point; half of the flag's width
   constexpr double flag_px = 46, half_px = 8;
-  constexpr double beside_px = 26;  // half the flag and the margins of the text box
+  constexpr double beside_px = 34;  // the flag and the margins of the text box
   constexpr int longest = 32, outside = 1000;
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
@@ -849,7 +849,7 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
                       text_px = there + QPointF(side * halfWidth_px, 0);
         const QRectF box(text_px - QPointF(halfWidth_px, metrics.height() / 2),
                          QSizeF(2 * halfWidth_px, metrics.height()));
-        const bool inside = map.clip_px.contains(box.adjusted(half_px, 0, -half_px, 0));
+        const bool inside = map.clip_px.contains(box);
         const int covered = pointsIn(box, strokes_px) + (inside ? 0 : outside);
         if (covered >= least) continue;
         least = covered;

@@ -170,7 +170,7 @@ class FeelPanelTest : public QObject {
     QVERIFY(pressed && released);
     QVERIFY(rig.part<PressStrip>("pressStrip")->eventCount() > 20);
     QTRY_VERIFY(rig.status().contains("no sound output was found"));
-    QVERIFY(rig.status().contains("Connect one"));
+    QVERIFY(rig.status().contains("Connect a sound device"));
     QVERIFY(rig.status().contains(". Default device"));
     QVERIFY(rig.part<QLabel>("feltLevel")->text().isEmpty());
     QVERIFY(rig.part<QPushButton>("soundAgain")->isVisible());
