@@ -162,6 +162,28 @@ bool stepsOverAndBack(const StrokePair& strokes) {
   return most(onThirdLine) >= 1 || most(inGap) >= fewestGaps;
 }
 
+/// Returns true if pixels of this colour occur in nearly every column beyond a frame's right side, apart from
+/// the plot's own lines: the frame was cut too short. A thin line between two rows has its colour in about
+/// every second column.
+bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
+  constexpr double farShare = 0.04, nearlyAll = 0.9;  // share of the frame's width; share of the columns
+  constexpr double apart_px = 3;                      // distance from a line of the plot
+  const Box box = frame.box();
+  const auto isLine = [&](int y) {
+    return std::ranges::any_of(
+        frame.yLines, [&](const GridLine& line) { return std::abs(line.position_px - y) < apart_px; });
+  };
+  int columns = 0, inked = 0;
+  for (int x = static_cast<int>(box.x1 + apart_px); x < box.x1 + apart_px + farShare * box.width(); ++x) {
+    bool any = false;
+    for (int y = static_cast<int>(box.y0 + apart_px); y < box.y1 - apart_px && !any; ++y)
+      any = !isLine(y) && (hasColour(picture, color, x, y) || hasColour(picture, color, x + 1, y) ||
+                           hasColour(picture, color, x - 1, y));
+    ++columns, inked += any ? 1 : 0;
+  }
+  return columns > 0 && inked >= nearlyAll * columns;
+}
+
 /// Share of a stroke's length that its longest straight section along one axis takes.
 double shareAlongAnAxis(const std::vector<Point>& line) {
   const std::vector<double> at = arcOf(line);
@@ -754,7 +776,8 @@ class Doubts {
     if (broken || (atEdge && goesOnBeyond(line, color, picture))) {
       // A person who gives the frame decides where the plot ends. That the curve continues there is still
       // reported.
-      const bool cutShort = broken || labelContradicts();
+      const bool cutShort =
+          broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture));
       add(DoubtCode::leavesThePlot, cutShort && hints_.frame.empty() ? unconfirmed : inPart,
           {{forceAtRight(stroke), Measure::force_N}},
           {{RemedyKind::giveFrame, "with the whole curve in it"}});

@@ -12,7 +12,7 @@ TEST_CASE("values go where the pattern wants them, in the command line's units")
   CHECK(english(Message("%1 and %2", millimetres(1.25), newtons(0.5))) == "1.25 mm and 0.5 N");
   CHECK(english(Message("%1 of it", MessageValue(0.946, Measure::share))) == "95 % of it");
   CHECK(english(Message("unsure (%1)", std::vector<Message>{"one", Message("curve point %1", 2)})) ==
-        "unsure (one; knot 2)");
+        "unsure (one; curve point 2)");
   CHECK(english(Message("5 % of %1", "a")) == "5 % of a");
   CHECK(english(Message("100 %9 %1", "a")) == "100 %9 a");  // no ninth value
 }

@@ -50,7 +50,7 @@ TEST_CASE("two to four speeds, each stated once and usable, the others rising") 
     CHECK_THAT(button.failure().sentence(), Catch::Contains(part));
     CHECK_FALSE(button.failure().remedies.empty());
   };
-  refused({20}, "states 20 mm/s, but has no graph at another speed");
+  refused({20}, "states the speed 20 mm/s, but has no graph at another speed");
   refused({20, 30, 40, 50, 60}, "has graphs at 5 speeds. Keep two to four");
   refused({20, 20}, "states the speed 20 mm/s twice");
   refused({20, 50, 40}, "speed 40 mm/s is not above the previous speed 50 mm/s");
@@ -97,7 +97,7 @@ TEST_CASE("the graphs of one button have the same strokes, travel and points") {
              Catch::Contains("\"locked\": has graphs at other speeds than state \"unlocked\""));
   states[1].speed_mm_per_s = 50, states[1].otherSpeeds = {{20, states[1].graph}};
   CHECK_THAT(Button::fromStates("l", states).failure().sentence(),
-             Catch::Contains("\"locked\": is at 50 mm/s, state \"unlocked\" at 20 mm/s"));
+             Catch::Contains("\"locked\": states the speed 50 mm/s, but state \"unlocked\" states 20 mm/s"));
   states[1].speed_mm_per_s.reset();
   states[1].otherSpeeds.clear();
   CHECK_FALSE(Button::fromStates("l", states).ok());

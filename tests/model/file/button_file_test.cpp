@@ -168,7 +168,7 @@ TEST_CASE("a cut-out that is none is refused with its place") {
                                    text.substr(0, text.size() - 1) + "\n", std::string()})
     requireRefusal(with("png", wrong), "cutout.png");
   requireRefusal(with("png", base64From(cutout.png + std::string(largestCutout_bytes, 'x'))),
-                 "more than 1048576");
+                 "the limit is 1048576");
   requireRefusal(with("pixelToAxes", {1, 0, 0, 0, 1, 0, 0, 0}), "cutout.pixelToAxes: has 8 numbers");
   requireRefusal(with("pixelToAxes", {1, 0, 0, 0, "1", 0, 0, 0, 1}), "cutout.pixelToAxes[4]");
   requireRefusal(with("picture", ""), "cutout.picture");
