@@ -264,7 +264,7 @@ std::optional<LostBottomOut> sharedBottomOut(const Curve& curve, const std::vect
   for (const Curve& other : curves) {
     if (&other == &curve || !endTogether(curve, other)) continue;
     const bool hidden = other.color != curve.color;
-    if (hidden && (curves.size() != 2 || !runsAbove(curve, other))) continue;
+    if (hidden && (curve.fromVector || curves.size() != 2 || !runsAbove(curve, other))) continue;
     if (hidden && startOfRise(curve) - curve.end().y > least_px) continue;  // not hidden
     const LostBottomOut bottomOut{other.end().x, curve.end().y, other.end().y};
     const double riseStart = startOfRise(other);

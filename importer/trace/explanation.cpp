@@ -6,9 +6,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <optional>
-#include <span>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
@@ -95,28 +92,14 @@ class ExplainedPlot {
     return mask;
   }
 
-  /// 255 where curves, words that were read and masks cover the plot.
-  cv::Mat covered() const {
+  /// 255 where curves, words, masks and the plot's own lines explain what is drawn.
+  cv::Mat explained() const {
     cv::Mat mask = curves();
     for (const Box& word : area_.words) fillExplained(mask, word, 2);
-    for (std::size_t i = 0; i < area_.masked.size(); ++i)
-      if (area_.masked[i]) mask.data[i] = 255;
-    return mask;
-  }
-
-  /// 255 where curves, words, letters and masks explain what is drawn.
-  cv::Mat explained() const {
-    cv::Mat mask = covered();
     const Mask& letters = scene_.lettering().mask;
     for (std::size_t i = 0; i < letters.size(); ++i)
-      if (letters[i]) mask.data[i] = 255;
+      if (letters[i] || (!area_.masked.empty() && area_.masked[i])) mask.data[i] = 255;
     return mask;
-  }
-
-  /// Thickness of the faintest line of a curve's colour that stands out from noise, if a pixel shows it.
-  double faintest_px(const Drawn& curve) const {
-    return static_cast<double>(scene_.coverageThreshold() /
-                               std::max(1.0F, norm(color3Of(curve.color) - scene_.paper())));
   }
 
   /// Returns true under or close to a word.
@@ -147,22 +130,6 @@ class ExplainedPlot {
     // direction.
     return std::min(drawnAcross(p, {1, 0}), drawnAcross(p, {0, 1})) <=
            mostOfColour * colourLevels * curve.colourAcross_px;
-  }
-
-  /// Width of what a vertical lane shows in a curve's colour at one row, px; nullopt on a level line of the
-  /// plot, and where a curve, a word or a mask covers the lane.
-  std::optional<double> laneAt(const Drawn& curve, const cv::Mat& covered, int x, int y) const {
-    const int reach = static_cast<int>(std::ceil(curve.thickness_px)) + 2;
-    if (y < 0 || y >= covered.rows || isAtOneOf(area_.rows_px, y, 3)) return {};
-    const ColourOnArea& coverage = scene_.coverageOf(curve.color);
-    const double faintest = faintest_px(curve);
-    double covered_px = 0;
-    for (int at = std::max(0, x - reach); at <= std::min(covered.cols - 1, x + reach); ++at) {
-      if (covered.at<std::uint8_t>(y, at)) return {};
-      const auto covers = static_cast<double>(coverage.at(at, y));
-      if (covers >= faintest) covered_px += covers;
-    }
-    return covered_px;
   }
 
   /// 255 where a colour is not explained, without the plot's own lines.
@@ -313,72 +280,6 @@ Remainder remainderOfMarks(const std::vector<Point>& pixels, const ExplainedPlot
   return r;
 }
 
-/// Widths of a lane's rows between two rows, from the lower one up.
-std::vector<double> laneBetween(const ExplainedPlot& plot, const Drawn& curve, const cv::Mat& covered, int x,
-                                double top, double bottom) {
-  std::vector<double> widths;
-  for (int y = static_cast<int>(bottom); y >= top; --y)
-    if (const auto covered_px = plot.laneAt(curve, covered, x, y)) widths.push_back(*covered_px);
-  return widths;
-}
-
-double meanOf(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         std::max(1.0, static_cast<double>(values.size()));
-}
-
-/// The line that rises from a curve's right end in its colour, in dashes, thin or on a line of the plot:
-/// wider than what the lane shows below the end, where only the plot's own lines are. Likely the bottom-out.
-std::optional<Remainder> riseBeyond(const Drawn& curve, const cv::Mat& covered, const ExplainedPlot& plot) {
-  constexpr std::size_t parts = 3, fewestRows = 14;  // the dashes of each part are to show; rows of a lane
-  constexpr double more = 0.35;                      // times the width below the end
-  const Box& frame = plot.area().frame;
-  const Point end = std::ranges::max(curve.points, {}, &Point::x);
-  const double top = frame.y0 + 3, margin = 1.5 * curve.thickness_px + 2;
-  const int x = static_cast<int>(std::lround(end.x));
-  const auto lane = [&](int at) { return laneBetween(plot, curve, covered, at, top, end.y - margin); };
-  const std::vector<double> above = lane(x),
-                            below = laneBetween(plot, curve, covered, x, end.y + margin, frame.y1 - margin);
-  if (below.size() < fewestRows) return {};
-  const double own_px = meanOf(below), least_px = own_px + std::max(plot.faintest_px(curve), more * own_px);
-  std::size_t rows = above.size();
-  const auto shows = [&](const std::vector<double>& widths) {
-    for (std::size_t k = 0; k < parts; ++k)
-      if (meanOf(std::span(widths).subspan(k * rows / parts, rows / parts)) < least_px) return false;
-    return true;
-  };
-  while (rows >= fewestRows && !shows(above)) rows = 9 * rows / 10;
-  if (rows < fewestRows) return {};
-  // What a curve follows already is no rival: a thick bottom-out shows beside its trace.
-  std::size_t followed = 0;
-  for (std::size_t k = 0; k < rows; ++k) {
-    const Point at{end.x, end.y - margin - static_cast<double>(k)};
-    followed += std::ranges::any_of(plot.drawn(), [&](const Drawn& other) {
-      return distance(nearestOn(other.points, at), at) < 2 * curve.thickness_px + 2;
-    });
-  }
-  if (2 * followed > rows) return {};
-  // A filled or hatched area is as dark on both sides of the lane.
-  const int aside = 2 * static_cast<int>(std::ceil(curve.thickness_px)) + 6;
-  const auto isDark = [&](int at) {
-    const std::vector<double> widths = lane(at);
-    return at > frame.x1 || (widths.size() >= rows && shows(widths));
-  };
-  if (isDark(x - aside) && isDark(x + aside)) return {};
-  std::vector<Point> pixels;
-  for (double y = end.y - margin; y > end.y - margin - static_cast<double>(rows); y -= 1)
-    pixels.push_back({end.x, y});
-  Remainder r;
-  const Box box = boundsOf(pixels);
-  r.box_px = plot.area().toView.boxOf(box);
-  r.length = box.height() / std::hypot(frame.width(), frame.height());
-  r.thickness = meanOf(std::span(above).first(rows)) / curve.thickness_px;
-  r.straight = r.dashed = r.atAnEnd = true;
-  r.likeness = ramp(r.length, 0.03, 0.06);
-  for (const Point& p : pixels) r.pixels_px.push_back(plot.area().toView(p));
-  return r;
-}
-
 /// Returns true if the pixels form many similar pieces: dots, joined across gaps of their own size.
 bool isDotted(const std::vector<Point>& pixels, const cv::Mat& pieces) {
   constexpr std::size_t fewest = 8;
@@ -460,9 +361,6 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& le
   const std::vector<std::vector<Point>> marks = marksUpFrom(positions, left, curves);
   for (std::size_t i = 0; i < tops.size(); ++i)
     if (!marks[i].empty()) all.push_back(remainderOfMarks(marks[i], plot, tops[i]));
-  const cv::Mat covered = plot.covered();
-  for (const Drawn& each : plot.drawn())
-    if (auto rise = riseBeyond(each, covered, plot)) all.push_back(std::move(*rise));
   // Connected dashes appear twice; as a dashed line first.
   std::ranges::sort(all, std::greater<>{},
                     [](const Remainder& r) { return std::pair(r.likeness, r.dashed); });

@@ -807,7 +807,6 @@ TEST_CASE("A press reaches the force from which its release comes back, though t
   const Loop loop = loopEndingAt(0.7);
   CurveTrace press, release;
   press.points_px = plot.at(loop.press), press.color = kRed;
-  press.fromVector = GENERATE(false, true);
   release.points_px = plot.at(loop.release), release.color = kBlue;
   plot.line(press.points_px, 2, kRed);
   plot.line(release.points_px, 2, kBlue);
@@ -944,45 +943,6 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     press.labelBox_px = {to.x + 60, to.y - 7, to.x + 120, to.y + 7};
     CHECK(left() == 1);
   }
-}
-
-TEST_CASE("A line up from a curve's end that does not go on below it is left over, however it is drawn",
-          "[trace]") {
-  struct Row {
-    const char* name;
-    double at;                    // of the frame's width
-    double width, opacity;        // of the line
-    bool dashed, grid, goesDown;  // the grid is dashed; the line goes on below the end
-    bool fill = false;
-    bool left = false;
-  };
-  const Row row = GENERATE(values<Row>({
-      {"dashes on paper", 0.7, 3, 1, true, false, false, false, true},
-      {"dashes on a gridline of dashes", 0.75, 3, 1, true, true, false, false, true},
-      {"dashes beside a gridline of dashes", 0.76, 3, 1, true, true, false, false, true},
-      {"a hair line on paper", 0.7, 0.3, 1, false, false, false, false, true},
-      {"a pale line on paper", 0.7, 1, 0.15, false, false, false, false, true},
-      {"a gridline of dashes", 0.75, 1, 1, true, true, true},
-      {"nothing", 0.7, 0, 0, false, false, false},
-      {"a pale area above", 0.7, 0, 0, false, false, false, true},
-  }));
-  INFO(row.name);
-  Plot plot(700, 430);
-  if (row.grid)
-    for (int i = 0; i <= 8; ++i)
-      for (const Curve& dash : dashesOf(plot.at({{i / 8.0, 0}, {i / 8.0, 1}}))) plot.line(dash, 1, kGrey);
-  const Loop loop = loopEndingAt(row.at);
-  if (row.fill) plot.line(plot.at({{row.at, 0.55}, {row.at, 1}}), 60, kBlack, true, 0.15);
-  const Curve line = plot.at({{row.at, row.goesDown ? 0 : loop.press.back().y}, {row.at, 1}});
-  for (const Curve& each : row.dashed ? dashesOf(line) : std::vector<Curve>{line})
-    if (row.width > 0) plot.line(each, row.width, kBlack, false, row.opacity);
-  plot.line(plot.at(loop.press), 3, kBlack);
-  CurveTrace press;
-  press.points_px = plot.at(loop.press), press.color = kBlack;
-  const auto left = explain(plot.scene(), {press}).left;
-  const double most = left.empty() ? 0 : left.front().likeness;
-  CHECK((most > 0.9) == row.left);
-  if (row.left) CHECK(left.front().atAnEnd);
 }
 
 TEST_CASE("Gridlines of dots in the curve's colour are the plot's, a solid bottom-out on one of them is not",
