@@ -168,7 +168,7 @@ Result<UnitSpread> spreadOf(const std::vector<Button>& units, const SectionSetti
   const Range_mm range = commonRange(presses);
   if (!(range.from < range.to))
     return refuse(Message("no displacement lies within the travel of all units"),
-                  Message("Give units of the same button"));
+                  Message("Choose specimens of the same button"));
   auto mean = thinned(*blended);
   if (!mean) return mean.failure();
   UnitSpread spread{std::move(*mean), {}, distancesOf(presses, settings), {}};

@@ -23,7 +23,8 @@ std::optional<Number> numberIn(std::string_view text) {
 
 Failure unknownDevice(const std::string& text, Message problem) {
   return {FailureCode::wrongUsage, "--device " + text, "", std::move(problem),
-          Message("Give sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon or falcon:N")};
+          Message("Name the force device as one of these: sim, sim:falcon, sim:rig, serial:PORT, "
+                  "odrive:PORT, falcon or falcon:N")};
 }
 
 Result<ForceDeviceChoice> simulatedFrom(const std::string& text, std::string_view preset) {

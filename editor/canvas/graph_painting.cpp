@@ -330,10 +330,10 @@ constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // distance of a label with two or three lines
 constexpr double measureGap_px = 8;   // distance between a measured line and its label
 
-/// Points on both strokes and on the line at the end of the travel, close enough to tell whether a label
-/// covers them.
+constexpr double pointsApart_px = 4;  // far less than the height of a label
+
+/// Points on both strokes, close enough to tell whether a label covers them.
 std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& scene) {
-  constexpr double apart_px = 4;  // far less than the height of a label
   std::vector<QPointF> points;
   for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     if (stroke == Stroke::release && !scene.state.graph.release()) continue;
@@ -341,14 +341,21 @@ std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& s
     const QPolygonF line = curveOutline(curve, curve.start_mm(), curve.end_mm(), map);
     for (qsizetype i = 0; i + 1 < line.size(); ++i) {
       const QLineF part(line[i], line[i + 1]);
-      const int steps = 1 + static_cast<int>(part.length() / apart_px);
+      const int steps = 1 + static_cast<int>(part.length() / pointsApart_px);
       for (int k = 0; k < steps; ++k) points.push_back(part.pointAt(static_cast<double>(k) / steps));
     }
     if (!line.isEmpty()) points.push_back(line.back());
   }
-  const double end_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
-  for (double y = map.clip_px.top(); y < map.clip_px.bottom(); y += apart_px) points.emplace_back(end_px, y);
   return points;
+}
+
+/// The points of the strokes and those of the line at the end of the travel.
+std::vector<QPointF> withEndLine(std::vector<QPointF> points_px, const PlotMapping& map,
+                                 const GraphScene& scene) {
+  const double end_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
+  for (double y = map.clip_px.top(); y < map.clip_px.bottom(); y += pointsApart_px)
+    points_px.emplace_back(end_px, y);
+  return points_px;
 }
 
 int pointsIn(const QRectF& box, const std::vector<QPointF>& points_px) {
@@ -953,7 +960,7 @@ void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
   const std::optional<QRectF> legend = paintLegend(painter, map, scene, strokes_px);
   paintSpeedLabels(painter, map, scene);
-  paintMarks(painter, map, scene, strokes_px, legend);
+  paintMarks(painter, map, scene, withEndLine(strokes_px, map, scene), legend);
   paintFeedback(painter, map, scene);
   if (scene.finger) paintFinger(painter, map, scene);
   painter.restore();

@@ -207,11 +207,12 @@ QString shownUnit(Measure measure, const DisplayUnits& units) {
 
 QString shownDistance(const GraphDistance& distance, const DisplayUnits& units) {
   const auto line = [&](const QString& name, const StrokeDistance& stroke) {
-    return Differences::
-        tr("%1: on average %2 % of the first button's force range apart, at most %3 % (up to %4 %5, %6 %7)")
-            .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
-                 number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
-                 number(units.forceFrom(stroke.max_N)), units.forceSymbol());
+    return Differences::tr(
+               "%1: the curves differ by %2 % of the first button's force range on average and by %3 % at "
+               "most (up to %4 %5, %6 %7)")
+        .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
+             number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
+             number(units.forceFrom(stroke.max_N)), units.forceSymbol());
   };
   QStringList lines;
   if (distance.press) lines << line(Differences::tr("Press"), *distance.press);

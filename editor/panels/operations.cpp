@@ -394,7 +394,7 @@ Operation addStateOperation(const OperationTarget& target) {
 
 Operation removeStateOperation(const OperationTarget& target) {
   Operation op{tr("Remove state"),
-               tr("This state is removed; the button becomes momentary with the remaining one."),
+               tr("Removes this state. The button keeps its other state and becomes momentary."),
                {},
                {}};
   op.edit = [state = target.state](const Button& start, const Values&) { return removeState(start, state); };

@@ -136,7 +136,11 @@ KeyedPage* StudyWindow::pausePage() {
                 largeText_pt, Qt::AlignCenter, 1);
   page->addButton({"studyPauseOver", words("Go on"), enterKey()}, [this] { showTrial(); });
   page->addButton(
-      {"studyLater", words("Go on another day"), {Qt::Key_L, "L"}, plainText_pt, smallHeight_px},
+      {"studyLater",
+       words("Stop now and continue another day"),
+       {Qt::Key_L, "L"},
+       plainText_pt,
+       smallHeight_px},
       [this] { showEnd(words("Thank you. Next time you will continue with the question you were at.")); });
   return page;
 }

@@ -156,8 +156,8 @@
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>%1: on average %2 % of the first button&apos;s force range apart, at most %3 % (up to %4 %5, %6 %7)</source>
-        <translation>%1: im Mittel %2 % des Kraftbereichs des ersten Tasters auseinander, höchstens %3 % (bis %4 %5, %6 %7)</translation>
+        <source>%1: the curves differ by %2 % of the first button&apos;s force range on average and by %3 % at most (up to %4 %5, %6 %7)</source>
+        <translation>%1: Die Kurven unterscheiden sich im Mittel um %2 % des Kraftbereichs des ersten Tasters, höchstens um %3 % (bis zu %4 %5, %6 %7)</translation>
     </message>
     <message>
         <source>peak travel</source>
@@ -1265,8 +1265,8 @@ Lizenz: %3</translation>
         <translation>läge ein Dämpfungspunkt außerhalb des Wegs</translation>
     </message>
     <message>
-        <source>no curve was found that meets all these targets, and the conflict is not known: %1</source>
-        <translation>keine Kurve erfüllt alle diese Vorgaben, und der Widerspruch ließ sich nicht eingrenzen: %1</translation>
+        <source>no curve was found that meets all these targets (%1); it is not known which of them conflict</source>
+        <translation>keine Kurve gefunden, die alle diese Ziele erfüllt (%1); welche davon sich widersprechen, ist nicht bekannt</translation>
     </message>
     <message>
         <source>Remove or unlock some of these, or give values nearer to the current ones</source>
@@ -1617,7 +1617,7 @@ Lizenz: %3</translation>
         <translation>die Exemplare haben keinen gemeinsamen Weg</translation>
     </message>
     <message>
-        <source>Give units of the same button</source>
+        <source>Choose specimens of the same button</source>
         <translation>Wählen Sie Exemplare desselben Tasters</translation>
     </message>
     <message>
@@ -2537,8 +2537,8 @@ Lizenz: %3</translation>
         <translation>Zustand entfernen</translation>
     </message>
     <message>
-        <source>This state is removed; the button becomes momentary with the remaining one.</source>
-        <translation>Dieser Zustand wird entfernt; der Taster wird mit dem verbleibenden tastend.</translation>
+        <source>Removes this state. The button keeps its other state and becomes momentary.</source>
+        <translation>Entfernt diesen Zustand. Der Taster behält den anderen Zustand und wird zum Taster ohne Verriegelung.</translation>
     </message>
     <message>
         <source>The field is empty. Type for example %1.</source>
@@ -3841,8 +3841,8 @@ Lizenz: %3</translation>
         <translation>Abtastwerte je Sekunde</translation>
     </message>
     <message>
-        <source>Bits of a sample</source>
-        <translation>Bits eines Abtastwerts</translation>
+        <source>Number of bits per sample</source>
+        <translation>Anzahl der Bits je Abtastwert</translation>
     </message>
     <message>
         <source>bits</source>
@@ -9195,8 +9195,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Eine Pause, so lange Sie mögen. Die Frage, an der Sie waren, beginnt von vorn.</translation>
     </message>
     <message>
-        <source>Go on another day</source>
-        <translation>An einem anderen Tag weitermachen</translation>
+        <source>Stop now and continue another day</source>
+        <translation>Jetzt aufhören und an einem anderen Tag weitermachen</translation>
     </message>
     <message>
         <source>Thank you. Next time you will continue with the question you were at.</source>
@@ -9704,8 +9704,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 Zahlen in einer Zeile und %2 in einer Spalte, aber kein Rechteck aus Linien</translation>
     </message>
     <message>
-        <source>widened to the ends of its tick labels</source>
-        <translation>erweitert bis zu den Enden seiner Beschriftung</translation>
+        <source>the frame was widened to its outermost tick labels</source>
+        <translation>der Rahmen wurde bis zu seinen äußersten Skalenzahlen erweitert</translation>
     </message>
     <message>
         <source>no name is &quot;%1&quot;; the nearest name that was read is &quot;%2&quot;</source>
@@ -9944,8 +9944,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Protokoll enthält keinen Rückweg</translation>
     </message>
     <message>
-        <source>testers that write this format measure forces up to 30 gf different from other laboratories</source>
-        <translation>Prüfgeräte, die dieses Format schreiben, weichen in der Kraft um bis zu 30 gf von anderen Labors ab</translation>
+        <source>forces from testers that write this format can differ by up to 30 gf from those of other laboratories</source>
+        <translation>Kräfte von Messgeräten mit diesem Format können um bis zu 30 gf von denen anderer Labore abweichen</translation>
     </message>
     <message>
         <source>the same graph is drawn %1 times (%2); the one on page %3 was used, as it is the most certain</source>
@@ -11333,8 +11333,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>leaves no room to increase &quot;%1&quot; by a tenth</source>
-        <translation>lässt keinen Raum, „%1“ um ein Zehntel zu erhöhen</translation>
+        <source>has no room to increase &quot;%1&quot; by 10 %</source>
+        <translation>lässt keinen Platz, um „%1“ um 10 % zu erhöhen</translation>
     </message>
     <message>
         <source>Choose another quantity, or a button that has less of this one</source>
@@ -11489,8 +11489,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Wählen Sie einen anderen Anschluss</translation>
     </message>
     <message>
-        <source>Give sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon or falcon:N</source>
-        <translation>Geben Sie sim, sim:falcon, sim:rig, serial:ANSCHLUSS, odrive:ANSCHLUSS, falcon oder falcon:N an</translation>
+        <source>Name the force device as one of these: sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon or falcon:N</source>
+        <translation>Nennen Sie eines dieser Kraftgeräte: sim, sim:falcon, sim:rig, serial:PORT, odrive:PORT, falcon oder falcon:N</translation>
     </message>
     <message>
         <source>there is no such simulated device</source>
@@ -11865,8 +11865,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Bauen Sie mit -DDETENT_WITH_DEVICE=ON oder benutzen Sie render</translation>
     </message>
     <message>
-        <source>the header is %1</source>
-        <translation>der Kopf lautet %1</translation>
+        <source>the first line is %1, not the names of the columns</source>
+        <translation>die erste Zeile ist %1, nicht die Namen der Spalten</translation>
     </message>
     <message>
         <source>%1 has %2 fields, not 2</source>
@@ -12724,8 +12724,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kann nicht gestartet werden</translation>
     </message>
     <message>
-        <source>cannot be recorded from</source>
-        <translation>es lässt sich nicht davon aufnehmen</translation>
+        <source>cannot be used for recording</source>
+        <translation>kann nicht zum Aufnehmen verwendet werden</translation>
     </message>
 </context>
 <context>
@@ -12739,8 +12739,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>hat nur einen Ausgang: Das Maskierrauschen wäre zu fühlen</translation>
     </message>
     <message>
-        <source>Give the headphones&apos; device as --noise-device</source>
-        <translation>Geben Sie das Gerät der Kopfhörer als --noise-device an</translation>
+        <source>Name the sound device of the headphones with the option --noise-device</source>
+        <translation>Nennen Sie das Tongerät der Kopfhörer mit der Option --noise-device</translation>
     </message>
     <message>
         <source>cannot be opened at %1 Hz</source>
@@ -12971,8 +12971,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>auf Achse %1 antwortet kein ODrive</translation>
     </message>
     <message>
-        <source>no ODrive answers on axis %1; the answer was &quot;%2&quot;</source>
-        <translation>auf Achse %1 antwortet kein ODrive; die Antwort war „%2“</translation>
+        <source>the answer on axis %1 is not that of an ODrive: &quot;%2&quot;</source>
+        <translation>die Antwort auf Achse %1 kommt nicht von einem ODrive: „%2“</translation>
     </message>
     <message>
         <source>Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)</source>
@@ -13014,8 +13014,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>liegt nicht auf der Skala</translation>
     </message>
     <message>
-        <source>gives no number</source>
-        <translation>gibt keine Zahl an</translation>
+        <source>contains no number</source>
+        <translation>enthält keine Zahl</translation>
     </message>
     <message>
         <source>Give a number above 0, at most a million</source>

@@ -115,7 +115,7 @@ DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
                         tr("Format or device to export the press for"),
                         tr("Format or device to export the press for"))),
       rate_(numbers("deviceRate", tr("Samples per second"), rates_Hz, QStringLiteral("Hz"), 48000)),
-      bits_(numbers("deviceBits", tr("Bits of a sample"), sampleBits, tr("bits"), 16)),
+      bits_(numbers("deviceBits", tr("Number of bits per sample"), sampleBits, tr("bits"), 16)),
       wayDown_(described(new QSpinBox, QStringLiteral("deviceWayDown"), tr("Duration of the press stroke"),
                          tr("Duration of the press stroke"))),
       purpose_(described(new QLabel, QStringLiteral("devicePurpose"))),

@@ -401,9 +401,11 @@ TargetConflict undecided(const std::vector<FigureTarget>& targets) {
   return {
       figuresOf(targets),
       {},
-      refusal(Message("no curve was found that meets all these targets, and the conflict is not known: %1",
-                      termsOf(targets)),
-              Message("Remove or unlock some of these, or give values nearer to the current ones")),
+      refusal(
+          Message(
+              "no curve was found that meets all these targets (%1); it is not known which of them conflict",
+              termsOf(targets)),
+          Message("Remove or unlock some of these, or give values nearer to the current ones")),
       true};
 }
 

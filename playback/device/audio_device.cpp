@@ -214,7 +214,7 @@ class AudioOutput::Stream {
     if (channels_.signal < std::min(1, settings_.channels))
       return Failure{FailureCode::deviceTrouble, info.fullName(), "",
                      Message("has only one output: the masking noise would be felt"),
-                     Message("Give the headphones' device as --noise-device")};
+                     Message("Name the sound device of the headphones with the option --noise-device")};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
       library_.reset();
@@ -469,7 +469,7 @@ class AudioCapture::Recorder {
                                   &Recorder::callback, this);
     if (error != paNoError) {
       stream_ = nullptr;
-      return troubleOf(device, Message("cannot be recorded from"), error);
+      return troubleOf(device, Message("cannot be used for recording"), error);
     }
     error = Pa_StartStream(stream_);
     if (error != paNoError) return troubleOf(device, Message("cannot be started"), error);

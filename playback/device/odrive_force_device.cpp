@@ -102,7 +102,7 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
         FailureCode::deviceTrouble, settings.port, "",
         quoted.empty()
             ? Message("no ODrive answers on axis %1", settings.axis)
-            : Message("no ODrive answers on axis %1; the answer was \"%2\"", settings.axis, quoted),
+            : Message("the answer on axis %1 is not that of an ODrive: \"%2\"", settings.axis, quoted),
         Message(
             "Check power, cable and axis, and that the ASCII protocol is on (docs/guide/force-feedback.md)")};
   }

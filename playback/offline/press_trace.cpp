@@ -26,7 +26,8 @@ Result<PressTrace> parsePressTrace(const std::string& text, const std::string& n
   const std::vector<std::string_view>& fields = table.fields();
   const bool inForce = table.is({"time_s", "force_N"});
   if (!inForce && !table.is({"time_s", "displacement_mm"}))
-    return badTrace(name, table.place(), Message("the header is %1", quotedBegin(table.line())));
+    return badTrace(name, table.place(),
+                    Message("the first line is %1, not the names of the columns", quotedBegin(table.line())));
   trace.quantity = inForce ? PressTrace::Quantity::force_N : PressTrace::Quantity::displacement_mm;
   while (table.next()) {
     if (fields.size() != 2)

@@ -134,7 +134,7 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
                    Message("is not the current trial"), Message("Answer the trial that is shown")};
   if (!ratingFits(*study_, answer.rating))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   answer.rating ? Message("does not lie on the scale") : Message("gives no number"),
+                   answer.rating ? Message("does not lie on the scale") : Message("contains no number"),
                    study_->design.scale == RatingScale::magnitude
                        ? Message("Give a number above 0, at most a million")
                        : Message("Give 1, 2, 3, 4, 5, 6 or 7")};
