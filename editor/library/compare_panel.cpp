@@ -191,14 +191,14 @@ void ComparePanel::resizeEvent(QResizeEvent* event) {
   giveRoomToFigures();
 }
 
-// Beside the plot the figures get the width of their table, as far as the plot keeps 60 % of a window of
-// 1366 x 768; below it half of the height.
+// Beside the plot the figures get the width of their table, at most half of the panel; with four buttons and
+// more the plot keeps 60 % of a window of 1366 x 768. Below it they get half of the height.
 void ComparePanel::giveRoomToFigures() {
   const bool beside = split_->orientation() == Qt::Horizontal;
   const int all_px = beside ? width() : height();
   int figures_px = all_px / 2;
   if (beside) {
-    constexpr double most = 0.28;  // of the panel
+    const double most = sides_.size() < 4 ? 0.5 : 0.28;  // of the panel
     // the table's own scroll bar, that of the area around it, and the margins
     int table_px = 2 * (style()->pixelMetric(QStyle::PM_ScrollBarExtent) + rowMargin_px) + nameWidth();
     for (int column = 1; column < table_->columnCount(); ++column) table_px += leastWidth(column);
