@@ -348,8 +348,8 @@ TEST_CASE("hostile and broken documents are refused") {
     limits.maxPathPoints = 50;
     std::string content = "0 0 m ";
     for (int i = 0; i < 100; ++i) content += std::to_string(i) + " 5 l ";
-    CHECK(english(documentRefusal(onePage(content + "S"), "long.pdf", limits).problem).find("50 points") !=
-          std::string::npos);
+    CHECK(english(documentRefusal(onePage(content + "S"), "long.pdf", limits).problem)
+              .find("the limit is 50") != std::string::npos);
   }
   SECTION("an SVG whose references multiply") {
     std::string svg =
@@ -856,7 +856,7 @@ TEST_CASE("the limit on a page's time covers what is drawn") {
   const Failure failure = documentRefusal(slowToDraw(), "plot.pdf", limits);
   CHECK(processorSeconds() - before_s < 10);
   CHECK(failure.code == FailureCode::unreadableInput);
-  CHECK(failure.sentence().find("plot.pdf, page 1: it takes too long to") == 0);
+  CHECK(failure.sentence().find("plot.pdf, page 1: the page takes too long to") == 0);
 }
 
 namespace {
@@ -887,7 +887,7 @@ TEST_CASE("one object that goes up and down the page without end is refused befo
     const Failure failure =
         documentRefusal(head + "<path " + paint + " d='" + path + "'/></svg>", "plot.svg");
     CHECK(failure.code == FailureCode::unreadableInput);
-    CHECK(english(failure.problem) == "the drawing takes too long to draw");
+    CHECK(english(failure.problem) == "the page takes too long to draw");
     CHECK(processorSeconds() - before_s < 2);
   }
   // As long a way along the page costs little.

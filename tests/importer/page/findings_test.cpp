@@ -66,7 +66,8 @@ TEST_CASE("a doubt that nobody settles is a Failure with its code as reason") {
   CHECK(failure.code == FailureCode::notCertain);
   CHECK(failure.reason == nameOf(DoubtCode::axesUncertain));
   CHECK(failure.sentence() ==
-        "a.pdf, graph 1: the axes are not certain (x: given; y axis: 5 of 6 printed numbers fit one scale, "
+        "a.pdf, graph 1: the axes are not certain (x: entered by hand; y axis: 5 of 6 printed numbers fit "
+        "one scale, "
         "with "
         "9 ticks). "
         "Pass --frame X0,Y0,X1,Y1.");

@@ -376,7 +376,7 @@ TEST_CASE("a GIF that ends early, claims another size, or is a film, is refused"
   film.insert(film.end(), whole.begin() + 25, whole.end());
   const Failure refusal = refusalOf(film, "plot.gif");
   CHECK(refusal.code == FailureCode::unreadableInput);
-  CHECK(english(refusal.problem).find("film") != std::string::npos);
+  CHECK(english(refusal.problem).find("animated") != std::string::npos);
 }
 
 TEST_CASE("a picture of a format that is not read is refused by its name, with a remedy") {

@@ -289,7 +289,7 @@ TEST_CASE("prepare force: a travel beyond the device's reach is refused, with th
   REQUIRE_FALSE(tooFar);
   CHECK(tooFar.failure().code == FailureCode::wrongUsage);
   CHECK_THAT(tooFar.failure().sentence(),
-             Catch::Contains("71 mm") && Catch::Contains("Novint Falcon reaches 70 mm"));
+             Catch::Contains("71 mm") && Catch::Contains("Novint Falcon reaches only 70 mm"));
   CHECK(prepareForce(button(71), voiceCoilRig()));
 }
 

@@ -277,7 +277,7 @@ TEST_CASE("Foreign files that cannot be are refused with the place") {
   CHECK(refusal(R"({"Version": 2.0, "Pattern": []})").find("Version") != std::string::npos);
   CHECK(refusal(ahap(R"({"Event": {"Time": 1e300, "EventType": "HapticTransient"}})"))
             .find("Pattern[0].Event.Time") != std::string::npos);
-  CHECK(refusal(ahap(R"({"Event": {"Time": "x", "EventType": "HapticTransient"}})")).find("no number") !=
+  CHECK(refusal(ahap(R"({"Event": {"Time": "x", "EventType": "HapticTransient"}})")).find("not a number") !=
         std::string::npos);
   CHECK(refusal(ahap(R"({"Event": {"Time": 0, "EventType": "HapticContinuous", "EventDuration": 31}})"))
             .find("31") != std::string::npos);
