@@ -330,30 +330,38 @@ constexpr double tagAway_px = 20;
 constexpr double bubbleAway_px = 38;  // distance of a label with two or three lines
 constexpr double measureGap_px = 8;   // distance between a measured line and its label
 
-constexpr double pointsApart_px = 4;  // far less than the height of a label
-
 /// Points on both strokes, close enough to tell whether a label covers them.
 std::vector<QPointF> strokePoints_px(const PlotMapping& map, const GraphScene& scene) {
+  constexpr int samples = 80;
   std::vector<QPointF> points;
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    if (stroke == Stroke::release && !scene.state.graph.release()) continue;
+    const StrokeCurve& curve = scene.state.graph.curve(stroke);
+    for (int i = 0; i <= samples; ++i) {
+      const double at_mm = curve.start_mm() + curve.travel_mm() * i / samples;
+      points.push_back(map.toPixel(at_mm, curve.forceBefore_N(at_mm)));
+    }
+  }
+  return points;
+}
+
+/// The points of the strokes, of their steep stretches as well, and those of the line at the end of the
+/// travel.
+std::vector<QPointF> withSteepLines(std::vector<QPointF> points_px, const PlotMapping& map,
+                                    const GraphScene& scene) {
+  constexpr double apart_px = 4;  // far less than the height of a label
   for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     if (stroke == Stroke::release && !scene.state.graph.release()) continue;
     const StrokeCurve& curve = scene.state.graph.curve(stroke);
     const QPolygonF line = curveOutline(curve, curve.start_mm(), curve.end_mm(), map);
     for (qsizetype i = 0; i + 1 < line.size(); ++i) {
       const QLineF part(line[i], line[i + 1]);
-      const int steps = 1 + static_cast<int>(part.length() / pointsApart_px);
-      for (int k = 0; k < steps; ++k) points.push_back(part.pointAt(static_cast<double>(k) / steps));
+      const int steps = 1 + static_cast<int>(part.length() / apart_px);
+      for (int k = 0; k < steps; ++k) points_px.push_back(part.pointAt(static_cast<double>(k) / steps));
     }
-    if (!line.isEmpty()) points.push_back(line.back());
   }
-  return points;
-}
-
-/// The points of the strokes and those of the line at the end of the travel.
-std::vector<QPointF> withEndLine(std::vector<QPointF> points_px, const PlotMapping& map,
-                                 const GraphScene& scene) {
   const double end_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
-  for (double y = map.clip_px.top(); y < map.clip_px.bottom(); y += pointsApart_px)
+  for (double y = map.clip_px.top(); y < map.clip_px.bottom(); y += apart_px)
     points_px.emplace_back(end_px, y);
   return points_px;
 }
@@ -597,7 +605,7 @@ QRectF legendBox(const QPainter& painter, const PlotMapping& map, const std::vec
 // line.
 void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                const std::vector<Contact>& contacts, const std::vector<QPointF>& strokes_px,
-               const std::optional<QRectF>& legend) {
+               const std::vector<QRectF>& kept) {
   Tags tags(painter, map, scene, strokes_px);
   const auto press = tactilePointsIn(map, scene, Stroke::press);
   const auto release = tactilePointsIn(map, scene, Stroke::release);
@@ -607,7 +615,7 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
       for (const TactilePoint& point : *points)
         tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
   for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
-  if (legend) tags.keepClear(*legend);
+  for (const QRectF& box : kept) tags.keepClear(box);
   if (legible) {
     if (scene.state.graph.release()) tagTactilePoints(tags, map, scene, Stroke::release);
     tagTactilePoints(tags, map, scene, Stroke::press);
@@ -676,7 +684,7 @@ void paintHighlight(QPainter& painter, const PlotMapping& map, const GraphScene&
 }
 
 void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
-                const std::vector<QPointF>& strokes_px, const std::optional<QRectF>& legend) {
+                const std::vector<QPointF>& strokes_px, const std::vector<QRectF>& kept) {
   const ButtonState& state = scene.state;
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
     if (stroke == Stroke::release && !state.graph.release()) continue;
@@ -689,7 +697,7 @@ void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   for (const Contact& contact : contacts) paintContact(painter, map, scene, contact);
   for (const Stroke stroke : {Stroke::release, Stroke::press})
     if (stroke == Stroke::press || state.graph.release()) paintTactilePoints(painter, map, scene, stroke);
-  paintTags(painter, map, scene, contacts, strokes_px, legend);
+  paintTags(painter, map, scene, contacts, strokes_px, kept);
 }
 
 // ---- feedback
@@ -832,13 +840,14 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
   return map.toPixel(x, curve.force_N(x));
 }
 
-// A numbered flag at the curve; short texts are also shown beside the flag.
-void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
-                const std::vector<QPointF>& strokes_px) {
+// A numbered flag at the curve; short texts are also shown beside the flag. Returns the boxes of the flags.
+std::vector<QRectF> paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                               const std::vector<QPointF>& strokes_px) {
   // distance of the flag from the curve, beyond the force label of a tactile point; half of the flag's width
   constexpr double flag_px = 46, half_px = 8;
   constexpr double beside_px = 34;  // the flag and the margins of the text box
   constexpr int longest = 32, outside = 1000;
+  std::vector<QRectF> flags;
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);
     if (!at) continue;
@@ -870,7 +879,9 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     const QRectF inside(flag - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px));
     painter.drawText(inside, Qt::AlignCenter, QString::number(i + 1));
     paintTag(painter, middle, words, scene.colors.text, scene.colors.background, map.clip_px);
+    flags.push_back(inside);
   }
+  return flags;
 }
 
 void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -949,18 +960,19 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   paintCurves(painter, map, scene);
   const std::vector<QPointF> strokes_px = strokePoints_px(map, scene);
+  std::vector<QRectF> kept;  // free of labels
   if (!scene.notes.empty() || (scene.handlesShown && !scene.pinned.empty())) {
     painter.save();
     painter.setClipRect(map.clip_px, Qt::IntersectClip);
-    paintNotes(painter, map, scene, strokes_px);
+    kept = paintNotes(painter, map, scene, strokes_px);
     if (scene.handlesShown) paintPins(painter, map, scene);
     painter.restore();
   }
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
-  const std::optional<QRectF> legend = paintLegend(painter, map, scene, strokes_px);
+  if (const auto legend = paintLegend(painter, map, scene, strokes_px)) kept.push_back(*legend);
   paintSpeedLabels(painter, map, scene);
-  paintMarks(painter, map, scene, withEndLine(strokes_px, map, scene), legend);
+  paintMarks(painter, map, scene, withSteepLines(strokes_px, map, scene), kept);
   paintFeedback(painter, map, scene);
   if (scene.finger) paintFinger(painter, map, scene);
   painter.restore();
