@@ -385,13 +385,14 @@ class Tags {
 
   void put(QPointF at_px, const QString& text, const QColor& tagColor, std::optional<MarkId> mark = {}) {
     const QRectF wished = tagBox(painter_, at_px, text, map_.clip_px);
-    std::optional<QRectF> freeBox;  // nearest free place, preferably one that leaves the strokes free
+    std::optional<QRectF> freeBox;  // of the free places that cover least of the strokes, the nearest
+    int least = std::numeric_limits<int>::max();
     for (const QPointF& away : placesAround(wished.size())) {
       const QRectF moved = keptInside(wished.translated(away), map_.clip_px);
       if (!free(moved)) continue;
-      const bool leavesStrokesFree = pointsIn(moved, strokes_px_) == 0;
-      if (!freeBox || leavesStrokesFree) freeBox = moved;
-      if (leavesStrokesFree) break;
+      const int covered = pointsIn(moved, strokes_px_);
+      if (covered < least) least = covered, freeBox = moved;
+      if (least == 0) break;
     }
     if (!freeBox) return;
     const QRectF box = *freeBox;
