@@ -46,8 +46,8 @@ struct NamedTable {
 };
 
 /// Shows the row names in their column if the whole table has space; else in the vertical header, which the
-/// model must fill too (best a ShorteningHeader) and which stays while the numbers scroll. The names then have
-/// half of the table at most. GUI thread.
+/// model must fill too (best a ShorteningHeader) and which stays while the numbers scroll. The names then
+/// have half of the table at most. GUI thread.
 inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
   QHeaderView& names = *table.verticalHeader();
   const int room_px = widthForColumns_px(table);

@@ -25,8 +25,8 @@ struct BatchResult {
   QString reason;                ///< reason for a refusal, or for a low confidence
 };
 
-/// First word of the command line of a process that imports one file of a batch; the program must then return
-/// importForBatch(the other words).
+/// First word of the command line of a process that imports one file of a batch; the program must then
+/// return importForBatch(the other words).
 inline constexpr char batchWorkerOption[] = "--batch-worker";
 /// Imports the file that the words name and writes its results to the standard output.
 int importForBatch(const QStringList& words);

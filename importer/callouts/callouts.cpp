@@ -190,7 +190,7 @@ std::vector<Point> anchorsAround(const Box& box) {
   return anchors;
 }
 
-/// Returns true for a line that goes on beside the text, from a point next to it: the leader of another text.
+/// Returns true for a line that goes on beside the text, from a point next to it: another text's leader.
 bool passesBy(const MarkTest& marks, Point target, Point anchor, const Box& text) {
   const double length = distance(target, anchor), twice_px = 2 * kAnchorGap * text.height();
   double marked = 0, beyond = 0;

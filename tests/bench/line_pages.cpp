@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linked into a program by line_pages.py: keeps clang's counters of a run (-fsanitize-coverage=inline-8bit-counters,pc-table)
-// and writes them to the folder in DETENT_LINE_PAGES when the process ends.
+// Linked into a program by line_pages.py: keeps clang's counters of a run
+// (-fsanitize-coverage=inline-8bit-counters,pc-table) and writes them to the folder in DETENT_LINE_PAGES when
+// the process ends.
 
 #include <cstdint>
 #include <cstdlib>
@@ -17,7 +18,8 @@ namespace {
 template <class T>
 using Parts = std::vector<std::pair<const T*, const T*>>;
 
-// Never destroyed: objects register before main, and the counters are written after the last static object is gone.
+// Never destroyed: objects register before main, and the counters are written after the last static object
+// is gone.
 Parts<std::uint8_t>& counters() {
   static auto* const parts = new Parts<std::uint8_t>;
   return *parts;
