@@ -35,12 +35,14 @@ struct ErrorBar {
 class ColumnRuns {
  public:
   explicit ColumnRuns(const Plane& plane) : runs_(static_cast<std::size_t>(plane.width)) {
-    for (int x = 0; x < plane.width; ++x)
-      for (int y = 0; y < plane.height; ++y) {
+    for (int y = 0; y < plane.height; ++y)
+      for (int x = 0; x < plane.width; ++x) {
         if (plane.at(x, y) < kBarCore) continue;
-        const int top = y;
-        while (y + 1 < plane.height && plane.at(x, y + 1) >= kBarCore) ++y;
-        runs_[static_cast<std::size_t>(x)].push_back({top, y});
+        std::vector<ColumnRun>& column = runs_[static_cast<std::size_t>(x)];
+        if (column.empty() || column.back().bottom + 1 < y)
+          column.push_back({y, y});
+        else
+          column.back().bottom = y;
       }
   }
   int count() const { return static_cast<int>(runs_.size()); }
