@@ -12,7 +12,6 @@ for removal (docs/develop/decisions/0508); what only other options reach (--qual
 """
 import argparse
 import concurrent.futures as cf
-import json
 import os
 import re
 import subprocess
@@ -20,6 +19,7 @@ import tempfile
 from collections import defaultdict
 from pathlib import Path
 
+import ablate
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -38,18 +38,9 @@ def built() -> Path:
     return BUILD / "bin/detent-import"
 
 
-def pages_of(corpus: Path, honesty: Path) -> list[tuple[str, list[str]]]:
+def pages_of(program: Path, corpus: Path, honesty: Path) -> list[tuple[str, list[str]]]:
     """(name, command line without the program) of every page."""
-    pages = []
-    for folder in ("real", "rendered", "datasheets/ref"):
-        for meta in sorted((corpus / folder).glob("*/meta.json")):
-            said = json.loads(meta.read_text())
-            picture = meta.parent / said["input"] if "input" in said else next(iter(sorted(meta.parent.glob("plot.*"))))
-            page = ["--page", str(said["import_page"])] if said.get("import_page") else []
-            pages.append((f"{folder}/{meta.parent.name}", [str(picture), *page]))
-    for file in sorted((corpus / "web/img").rglob("*")) + sorted((corpus / "web/neg").rglob("*")):
-        if file.is_file():
-            pages.append((f"web/{file.name}", [str(file)]))
+    pages = [(str(plot), [str(plot), *arguments]) for _, plot, arguments in ablate.items(program, corpus, 1, 0)]
     for folder in ("foreign", "unexpected"):
         pages += [(f"{folder}/{file.parent.name}", [str(file)]) for file in sorted((corpus / folder / "items").glob("*/plot.*"))]
     pages += [(f"honesty/{file.name}", [str(file)]) for file in sorted(honesty.iterdir()) if file.suffix not in (".csv", ".json")]
@@ -111,7 +102,7 @@ def main() -> None:
         honesty, outputs = Path(scratch) / "honesty", Path(scratch) / "out"
         honesty.mkdir(), outputs.mkdir()
         subprocess.run(["python3", str(given.corpus / "honesty/make.py"), str(honesty), "--seed", "1"], check=True, stdout=subprocess.DEVNULL)
-        pages = pages_of(given.corpus, honesty)
+        pages = pages_of(program, given.corpus, honesty)
         with cf.ThreadPoolExecutor(given.jobs) as pool:
             list(pool.map(lambda k: counted(program, pages[k][1], outputs / str(k)), range(len(pages))))
         addresses = np.fromfile(next(outputs.glob("*/addresses")), np.uintp)[::2]
