@@ -113,8 +113,8 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
                        in(std::abs(remark.limit), Quantity::damping));
       break;
     case playback::ForceRemarkKind::wideReturn:
-      words = tr("to change from press to release, this device would need %1 of travel; it gets %2 and may "
-                 "vibrate")
+      words = tr("to change from press to release, this device would need %1 of travel; it has only %2, so "
+                 "it may vibrate")
                   .arg(in(2 * remark.value, Quantity::length), in(2 * remark.limit, Quantity::length));
       break;
   }

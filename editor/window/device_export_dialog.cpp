@@ -91,7 +91,8 @@ QString energyWords(const playback::ExportLoss& loss) {
                  (kept ? numberText(100 * *kept, 3) + QStringLiteral(" %")
                        : DeviceExportDialog::tr("missing"));
   }
-  return DeviceExportDialog::tr("Energy of the vibration kept: %1").arg(bands.join(QStringLiteral(", ")));
+  return DeviceExportDialog::tr("Share of the vibration's energy that the export keeps: %1")
+      .arg(bands.join(QStringLiteral(", ")));
 }
 
 QString lossWords(const playback::ExportLoss& loss) {
