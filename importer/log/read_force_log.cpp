@@ -575,7 +575,7 @@ class LogReader {
             subject, Message("press and release are mixed, sorted by displacement, and cannot be separated"),
             Message("Export the points in the order of the movement, or each stroke in its own column"));
       default:
-        return noForceLog(subject, Message("there is a release stroke but no press"),
+        return noForceLog(subject, Message("the file holds a release, but no press"),
                           {{RemedyKind::swapStrokes, "if this is one"},
                            {RemedyKind::advice, Message("If it is a release, record the press too")}});
     }
