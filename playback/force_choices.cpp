@@ -48,7 +48,7 @@ Result<ForceDeviceChoice> falconFrom(const std::string& text, bool numbered, std
   if (!numbered) return choice;
   const auto value = numberIn<unsigned>(number);
   if (!value || *value > mostFalcons)
-    return unknownDevice(text, Message("N counts the Falcons, starting with 0"));
+    return unknownDevice(text, Message("in falcon:N, N is the number of the Falcon, starting with 0"));
   choice.number = *value;
   return choice;
 }

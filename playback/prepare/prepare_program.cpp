@@ -633,7 +633,7 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
     return Failure{FailureCode::wrongUsage, "device profile", "equalizer",
                    Message("the equalizer has %1 bands, but at most %2 are allowed", profile.equalizer.size(),
                            maxEqualizerBands),
-                   Message("Keep the strongest bands")};
+                   Message("Keep only the strongest bands")};
   }
   for (const EqualizerBand& band : profile.equalizer) {
     if (Result<Done> ok =

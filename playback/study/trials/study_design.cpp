@@ -423,17 +423,18 @@ Result<Done> checkTimes(const StudyDesign& d) {
         "--intervals",
         Message("the list of times is empty or too long, repeats a time, or has a time outside %1 to %2 s",
                 leastInterval_s, mostInterval_s),
-        Message("Give 1 to %1 different times", mostTimes));
+        Message("Give a list of 1 to %1 times that all differ", mostTimes));
   if (d.task == TimingTask::cue) return Done{};
   const double least = *std::min_element(d.intervals_s.begin(), d.intervals_s.end());
   if (eachOnceWithin(d.windows_s, leastWindow_s, mostWindow_s) &&
       *std::max_element(d.windows_s.begin(), d.windows_s.end()) < least)
     return Done{};
-  return wrongOption("--windows",
-                     Message("the list of times is empty or too long, repeats a time, or has a time that is "
-                             "outside %1 to %2 s or as long as an interval",
-                             leastWindow_s, mostWindow_s),
-                     Message("Give 1 to %1 times, each shorter than the shortest interval", mostTimes));
+  return wrongOption(
+      "--windows",
+      Message("the list of times is empty or too long, repeats a time, or has a time that is "
+              "outside %1 to %2 s or as long as an interval",
+              leastWindow_s, mostWindow_s),
+      Message("Give a list of 1 to %1 times that are all shorter than the shortest interval", mostTimes));
 }
 
 }  // namespace
