@@ -1265,10 +1265,6 @@ Lizenz: %3</translation>
         <translation>die beiden Graphen haben keinen gemeinsamen Hub</translation>
     </message>
     <message>
-        <source>Compare graphs that both have a press or a release curve</source>
-        <translation>Graphen vergleichen, die beide eine Hinwegkurve oder beide eine Rückwegkurve haben</translation>
-    </message>
-    <message>
         <source>Remove the point</source>
         <translation>Entfernen Sie den Punkt</translation>
     </message>
@@ -1780,6 +1776,10 @@ Lizenz: %3</translation>
         <source>no displacement lies within the travel of all specimens</source>
         <translation>kein Weg liegt im Weg aller Exemplare</translation>
     </message>
+    <message>
+        <source>Choose two graphs that both have a press, or both have a release</source>
+        <translation>Wählen Sie zwei Graphen, die beide einen Hinweg oder beide einen Rückweg haben</translation>
+    </message>
 </context>
 <context>
     <name>detent::Bending</name>
@@ -2009,14 +2009,6 @@ Lizenz: %3</translation>
         <translation>von %1 bis %2</translation>
     </message>
     <message>
-        <source>(limited by its damping)</source>
-        <translation>(begrenzt durch seine Dämpfung)</translation>
-    </message>
-    <message>
-        <source>(limited by its friction and encoder steps)</source>
-        <translation>(begrenzt durch seine Reibung und seine Encoderschritte)</translation>
-    </message>
-    <message>
         <source>(limit of the device)</source>
         <translation>(Grenze des Geräts)</translation>
     </message>
@@ -2055,10 +2047,6 @@ Lizenz: %3</translation>
     <message>
         <source>%1 exceeds the force of the device; %2 is reproduced</source>
         <translation>%1 übersteigt die Kraft des Geräts; wiedergegeben wird %2</translation>
-    </message>
-    <message>
-        <source>at %2, the release lies up to %1 above the press and would add energy; the device uses the release curve for both there</source>
-        <translation>bei %2 liegt der Rückweg um bis zu %1 über dem Hinweg und würde Energie zuführen; das Gerät nimmt dort für beide den Rückweg</translation>
     </message>
     <message>
         <source>the damping of %1 at %2 is reproduced as %3</source>
@@ -2577,10 +2565,6 @@ Lizenz: %3</translation>
         <translation>Entfernen: %1</translation>
     </message>
     <message>
-        <source>at %2, the release at one speed lies up to %1 above the press at another and would add energy; there the press follows that release</source>
-        <translation>bei %2 liegt der Rückweg einer Geschwindigkeit um bis zu %1 über dem Hinweg einer anderen und würde Energie zuführen; dort folgt der Hinweg diesem Rückweg</translation>
-    </message>
-    <message>
         <source>at %2, the force changes with speed like a damping of %1; the device reproduces %3</source>
         <translation>bei %2 ändert sich die Kraft mit der Geschwindigkeit wie eine Dämpfung von %1; das Gerät gibt %3 wieder</translation>
     </message>
@@ -2880,6 +2864,22 @@ Lizenz: %3</translation>
         <source>fewer than three curve points of one stroke are selected</source>
         <translation>es sind weniger als drei Kurvenpunkte eines Hubs ausgewählt</translation>
     </message>
+    <message>
+        <source>(limited by the damping of the device)</source>
+        <translation>(begrenzt durch die Dämpfung des Geräts)</translation>
+    </message>
+    <message>
+        <source>(limited by the friction and the encoder steps of the device)</source>
+        <translation>(begrenzt durch Reibung und Encoderschritte des Geräts)</translation>
+    </message>
+    <message>
+        <source>at %2, the release lies up to %1 above the press and would add energy; there, the device uses the release curve for both strokes</source>
+        <translation>bei %2 liegt der Rückweg um bis zu %1 über dem Hinweg und würde Energie zuführen; dort nimmt das Gerät für beide Hübe den Rückweg</translation>
+    </message>
+    <message>
+        <source>at %2, the release at one speed lies up to %1 above the press at another and would add energy; there, the device uses this release curve for the press as well</source>
+        <translation>bei %2 liegt der Rückweg einer Geschwindigkeit um bis zu %1 über dem Hinweg einer anderen und würde Energie zuführen; dort nimmt das Gerät diesen Rückweg auch für den Hinweg</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -3040,10 +3040,6 @@ Lizenz: %3</translation>
         <translation>Name der Version</translation>
     </message>
     <message>
-        <source>Keep all strokes e&amp;nding at the same travel</source>
-        <translation>Alle Hübe beim selben W&amp;eg enden lassen</translation>
-    </message>
-    <message>
         <source>New note at the selected point</source>
         <translation>Neue Notiz am gewählten Punkt</translation>
     </message>
@@ -3166,6 +3162,10 @@ Lizenz: %3</translation>
     <message>
         <source>Change links</source>
         <translation>Verknüpfungen ändern</translation>
+    </message>
+    <message>
+        <source>All strokes e&amp;nd at the same travel</source>
+        <translation>Alle Hübe enden beim selben W&amp;eg</translation>
     </message>
 </context>
 <context>
@@ -3825,10 +3825,6 @@ Lizenz: %3</translation>
         <translation>Das Format fasst nicht die ganze Betätigung: Das Ende der Betätigung ist abgeschnitten. Die Datei gibt an, wo.</translation>
     </message>
     <message>
-        <source>Format or device to export the press for</source>
-        <translation>Format oder Gerät, für das die Betätigung exportiert wird</translation>
-    </message>
-    <message>
         <source>Samples per second</source>
         <translation>Abtastwerte je Sekunde</translation>
     </message>
@@ -3875,6 +3871,10 @@ Lizenz: %3</translation>
     <message>
         <source>Share of the vibration&apos;s energy that the export keeps: %1</source>
         <translation>Anteil der Energie der Vibration, den der Export behält: %1</translation>
+    </message>
+    <message>
+        <source>Format or device for which the press is exported</source>
+        <translation>Format oder Gerät, für das die Betätigung exportiert wird</translation>
     </message>
 </context>
 <context>
@@ -4386,16 +4386,12 @@ Lizenz: %3</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Switch between A and B while pressing. Both are played at their true levels, without loudness matching.</source>
-        <translation>Beim Drücken zwischen A und B wechseln. Beide werden mit ihrem wahren Pegel wiedergegeben, ohne Angleichung der Lautstärke.</translation>
+        <source>Switch between A and B while pressing. Both are played at their true strength, without loudness matching.</source>
+        <translation>Beim Drücken zwischen A und B wechseln. Beide werden in wahrer Stärke gespielt, ohne Angleich der Lautheit.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::FeelSession</name>
-    <message>
-        <source>You are pressing %1, at its true level</source>
-        <translation>Sie drücken %1, mit wahrem Pegel</translation>
-    </message>
     <message>
         <source>Only one press can be played at a time</source>
         <translation>Es kann immer nur eine Betätigung abgespielt werden</translation>
@@ -4407,6 +4403,10 @@ Lizenz: %3</translation>
     <message>
         <source>Switch the sound on to play the reference</source>
         <translation>Schalten Sie den Ton ein, um die Referenz abzuspielen</translation>
+    </message>
+    <message>
+        <source>You are pressing %1 at its true strength</source>
+        <translation>Sie drücken %1 in wahrer Stärke</translation>
     </message>
 </context>
 <context>
@@ -5246,10 +5246,6 @@ Lizenz: %3</translation>
         <translation>Glossar</translation>
     </message>
     <message>
-        <source>Solid: the press. Dashed: the release. Red: what the term means.</source>
-        <translation>Durchgezogen: Drücken. Gestrichelt: Loslassen. Rot: was der Begriff bedeutet.</translation>
-    </message>
-    <message>
         <source>Operating point</source>
         <translation>Schaltpunkt</translation>
     </message>
@@ -5296,6 +5292,10 @@ Lizenz: %3</translation>
     <message>
         <source>On its way back the button pushes less (dashed), and the contact opens later, at the reset point. The area between the curves is the energy that a press loses.</source>
         <translation>Auf dem Rückweg drückt der Taster schwächer (gestrichelt), und der Kontakt öffnet später, am Rückschaltpunkt. Die Fläche zwischen den Kurven ist die Energie, die bei einem Druck verloren geht.</translation>
+    </message>
+    <message>
+        <source>Solid: the press. Dashed: the release. Red: the part that the term names.</source>
+        <translation>Durchgezogen: Drücken. Gestrichelt: Loslassen. Rot: der Teil, den der Begriff benennt.</translation>
     </message>
 </context>
 <context>
@@ -8037,12 +8037,12 @@ Gegenüber dem gezeigten Taster: %2</translation>
 <context>
     <name>detent::editor::PageReturn</name>
     <message>
-        <source>This is not the datasheet that the button was read from, %1. Choose that file.</source>
-        <translation>Das ist nicht das Datenblatt, aus dem der Taster gelesen wurde, %1. Wählen Sie diese Datei.</translation>
-    </message>
-    <message>
         <source>%1 was found, but the graph could not be read again. %2</source>
         <translation>%1 wurde gefunden, aber der Graph ließ sich nicht noch einmal lesen. %2</translation>
+    </message>
+    <message>
+        <source>The button was read from another datasheet, %1. Choose that file.</source>
+        <translation>Der Taster wurde aus einem anderen Datenblatt gelesen, %1. Wählen Sie diese Datei.</translation>
     </message>
 </context>
 <context>
@@ -10625,16 +10625,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Importieren Sie das Protokoll, ohne aufzulisten</translation>
     </message>
     <message>
-        <source>a force log shows no switches</source>
-        <translation>ein Kraftprotokoll zeigt keine Schalter</translation>
-    </message>
-    <message>
-        <source>a page has no recordings</source>
-        <translation>eine Seite hat keine Aufzeichnungen</translation>
-    </message>
-    <message>
         <source>List the graphs of the page</source>
         <translation>Listen Sie die Graphen der Seite auf</translation>
+    </message>
+    <message>
+        <source>a page has no recordings to choose from</source>
+        <translation>eine Seite hat keine Aufzeichnungen zur Auswahl</translation>
+    </message>
+    <message>
+        <source>a force log has no switches to choose from</source>
+        <translation>ein Kraftprotokoll hat keine Schalter zur Auswahl</translation>
     </message>
 </context>
 <context>
@@ -10822,10 +10822,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Hinweg und Rückweg sind nach dem Weg durcheinander sortiert und lassen sich nicht trennen</translation>
     </message>
     <message>
-        <source>there is a release stroke but no press</source>
-        <translation>es gibt einen Rückweg, aber keinen Hinweg</translation>
-    </message>
-    <message>
         <source>If it is a release, record the press too</source>
         <translation>Wenn es ein Rückweg ist, zeichnen Sie auch den Hinweg auf</translation>
     </message>
@@ -10876,6 +10872,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>this is a folder, not a file</source>
         <translation>dies ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>the file holds a release, but no press</source>
+        <translation>die Datei enthält einen Rückweg, aber keinen Hinweg</translation>
     </message>
 </context>
 <context>
@@ -11149,14 +11149,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>1 bis %1 Buchstaben, Ziffern, - oder _ eingeben, etwa P01, aber keinen Personennamen</translation>
     </message>
     <message>
-        <source>Give 1 to %1 different times</source>
-        <translation>Geben Sie 1 bis %1 verschiedene Zeiten an</translation>
-    </message>
-    <message>
-        <source>Give 1 to %1 times, each shorter than the shortest interval</source>
-        <translation>Geben Sie 1 bis %1 Zeiten an, jede kürzer als das kürzeste Intervall</translation>
-    </message>
-    <message>
         <source>Give at least one button</source>
         <translation>Geben Sie mindestens einen Taster an</translation>
     </message>
@@ -11263,10 +11255,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>there is no such simulated device</source>
         <translation>ein solches simuliertes Gerät gibt es nicht</translation>
-    </message>
-    <message>
-        <source>N counts the Falcons, starting with 0</source>
-        <translation>N zählt die Falcons ab 0</translation>
     </message>
     <message>
         <source>there is no such device</source>
@@ -11605,10 +11593,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 muss über %2 und höchstens %3 sein</translation>
     </message>
     <message>
-        <source>Keep the strongest bands</source>
-        <translation>Behalten Sie die stärksten Bänder</translation>
-    </message>
-    <message>
         <source>the force falls while the reading rises</source>
         <translation>die Kraft fällt, während der Messwert steigt</translation>
     </message>
@@ -11619,10 +11603,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Calibrate the sensor again</source>
         <translation>Kalibrieren Sie den Sensor neu</translation>
-    </message>
-    <message>
-        <source>Give its friction and damping, or choose another device</source>
-        <translation>Geben Sie Reibung und Dämpfung an oder wählen Sie ein anderes Gerät</translation>
     </message>
     <message>
         <source>line 1</source>
@@ -11663,10 +11643,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Give timing=PLACE,SPREAD or presses=FILE</source>
         <translation>Geben Sie timing=STELLE,STREUUNG oder presses=DATEI an</translation>
-    </message>
-    <message>
-        <source>in tapping, PLACE is the time between presses in seconds</source>
-        <translation>beim Tippen ist die Stelle die Zeit in Sekunden zwischen zwei Tastendrücken</translation>
     </message>
     <message>
         <source>Give a time of 0.01 s or more</source>
@@ -12707,6 +12683,30 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Restore the folder from a copy</source>
         <translation>Stellen Sie den Ordner aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>in falcon:N, N is the number of the Falcon, starting with 0</source>
+        <translation>in falcon:N ist N die Nummer des Falcon, beginnend mit 0</translation>
+    </message>
+    <message>
+        <source>Keep only the strongest bands</source>
+        <translation>Behalten Sie nur die stärksten Bänder</translation>
+    </message>
+    <message>
+        <source>Give the friction and the damping of the device, or choose another device</source>
+        <translation>Geben Sie Reibung und Dämpfung des Geräts an, oder wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>in a tapping study, the PLACE of timing=PLACE,SPREAD is the time between presses in seconds</source>
+        <translation>in einer Studie des Tippens ist PLACE in timing=PLACE,SPREAD die Zeit zwischen den Tastendrücken in Sekunden</translation>
+    </message>
+    <message>
+        <source>Give a list of 1 to %1 times that all differ</source>
+        <translation>Geben Sie eine Liste von 1 bis %1 verschiedenen Zeiten an</translation>
+    </message>
+    <message>
+        <source>Give a list of 1 to %1 times that are all shorter than the shortest interval</source>
+        <translation>Geben Sie eine Liste von 1 bis %1 Zeiten an, die alle kürzer als das kürzeste Intervall sind</translation>
     </message>
 </context>
 <context>
