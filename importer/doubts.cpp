@@ -713,15 +713,15 @@ class Doubts {
   /// title names, if any.
   Message measureOfRightScale() const {
     const LocatedGraph& graph = findings_.graph;
-    if (graph.axes.rightScale == RightScale::otherForces) return Message("also measures forces");
+    if (graph.axes.rightScale == RightScale::otherForces) return Message("it also measures forces");
     const Box frame = graph.frame.value.box();
     for (const SeenText& text : graph.axes.texts) {
       const Point middle = text.box.middle();
       if (text.box.x0 < frame.x1 || middle.y < frame.y0 || middle.y > frame.y1) continue;
       if (const std::string name = otherQuantityIn(text.utf8, sourceOf(text)); !name.empty())
-        return Message("measures \"%1\"", name);
+        return Message("it measures \"%1\"", name);
     }
-    return Message("names no unit of force");
+    return Message("it names no unit of force");
   }
 
   /// Returns true if another curve was excluded that belongs to the second scale: the legend names it after

@@ -15,7 +15,7 @@ std::string textOf(const PlotSwitch& each, std::size_t number) {
 }
 
 Question whichSwitch(const std::vector<PlotSwitch>& switches) {
-  Question question{"which of the switches", {}};
+  Question question{"which switch should be read", {}};
   for (std::size_t i = 0; i < switches.size(); ++i)
     question.choices.push_back({textOf(switches[i], i + 1), "--curve " + std::to_string(i + 1)});
   return question;

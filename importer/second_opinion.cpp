@@ -44,8 +44,8 @@ double travel_mm(const ImportReport& report) { return report.button.states().fro
 /// Short description that distinguishes one reading from another.
 Message inShort(const ImportReport& report) {
   const MessageValue travel = millimetres(travel_mm(report)), force = newtons(highest_N(report));
-  if (!report.release) return Message("%1 with up to %2, without a release", travel, force);
-  return Message("%1 with up to %2", travel, force);
+  if (!report.release) return Message("a travel of %1, forces up to %2 and no release", travel, force);
+  return Message("a travel of %1 and forces up to %2", travel, force);
 }
 
 Doubt readingsDiffer(const ImportReport& first, const ImportReport& second) {
@@ -163,8 +163,7 @@ ImportAttempt settled(PageReading first, PageReading second, const std::function
   const bool alike = agreesOnPhoto(report, second.attempt);
   if (!anotherMaySettle(first.attempt) || (!alike && !isCertain(second.attempt)))
     return taken(std::move(first), std::move(summaries));
-  const Message firstSaid =
-      report ? Message("a travel of %1", inShort(*report)) : first.attempt.report.failure().problem;
+  const Message firstSaid = report ? inShort(*report) : first.attempt.report.failure().problem;
   const PageReading witness = third();
   summaries.push_back(summaryOf(witness));
   if (alike && agreesOnPhoto(report, witness.attempt)) {

@@ -262,17 +262,19 @@ std::optional<Failure> refusalOf(const std::vector<Button>& buttons, const std::
   const auto refuse = [](const char* subject, Message problem, const Message& advice) {
     return Failure{FailureCode::wrongUsage, subject, "", std::move(problem), advice};
   };
-  if (buttons.empty()) return refuse("buttons", Message("there are none"), Message("Give one or more"));
+  if (buttons.empty())
+    return refuse("buttons", Message("there are no buttons"), Message("Give one button or more"));
   const auto usable = [](double weight) { return std::isfinite(weight) && weight >= 0; };
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   if (weights.size() != buttons.size() || !std::ranges::all_of(weights, usable) || !(sum > 0) ||
       !std::isfinite(sum))
-    return refuse("weights", Message("their number or values do not suit the buttons"),
+    return refuse("weights",
+                  Message("the number of weights, or one of the weights, does not suit the buttons"),
                   Message("Give each button one weight of 0 or more, but not 0 to all"));
   for (const Button& button : buttons)
     if (button.states().size() != buttons.front().states().size())
-      return refuse("buttons", Message("some are momentary and some self-locking"),
-                    Message("Give buttons of one kind"));
+      return refuse("buttons", Message("some of the buttons are momentary, others are self-locking"),
+                    Message("Choose buttons of one kind"));
   return {};
 }
 

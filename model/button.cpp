@@ -38,8 +38,10 @@ std::optional<Failure> dampingProblem(const Message& place, const std::vector<Da
       return buttonFailure(at, Message("damping %1 N·s/mm is not a number of 0 or more", p.damping_Ns_per_mm),
                            Message("Give 0 where there is no damping"));
     if (i > 0 && !(p.displacement_mm > damping[i - 1].displacement_mm))
-      return buttonFailure(at, Message("displacement %1 does not increase", millimetres(p.displacement_mm)),
-                           Message("Order damping points by increasing displacement"));
+      return buttonFailure(at,
+                           Message("the displacement %1 is not above that of the previous point",
+                                   millimetres(p.displacement_mm)),
+                           Message("Sort the damping points by increasing displacement"));
   }
   return {};
 }
@@ -49,15 +51,16 @@ Message speedText(double speed_mm_per_s) { return Message("%1 mm/s", speed_mm_pe
 std::optional<Failure> speedProblem(const Message& place, const ButtonState& state) {
   const std::size_t speeds = state.otherSpeeds.size() + (state.speed_mm_per_s ? 1 : 0);
   if (!state.speed_mm_per_s)
-    return buttonFailure(place, Message("has graphs at other speeds, but states no speed for its main graph"),
-                         Message("State the speed of the main graph in mm/s"));
-  if (state.otherSpeeds.empty())
     return buttonFailure(
-        place,
-        Message("states the speed %1, but has no graph at another speed", speedText(*state.speed_mm_per_s)),
-        Message("Give a graph at another speed, or state no speed"));
+        place, Message("the state has graphs at other speeds, but gives no speed for its main graph"),
+        Message("Give the speed of the main graph in mm/s"));
+  if (state.otherSpeeds.empty())
+    return buttonFailure(place,
+                         Message("the state gives the speed %1, but has no graph at another speed",
+                                 speedText(*state.speed_mm_per_s)),
+                         Message("Add a graph at another speed, or remove the speed"));
   if (speeds > Button::mostSpeeds)
-    return buttonFailure(place, Message("has graphs at %1 speeds", speeds),
+    return buttonFailure(place, Message("the state has graphs at %1 speeds, which are too many", speeds),
                          Message("Keep two to four graphs"));
   std::vector<double> stated{*state.speed_mm_per_s};
   for (const SpeedGraph& other : state.otherSpeeds) stated.push_back(other.speed_mm_per_s);
@@ -67,13 +70,14 @@ std::optional<Failure> speedProblem(const Message& place, const ButtonState& sta
           place, Message("speed %1 is not a usable speed", speedText(stated[i])),
           Message("Give speeds above 0, up to %1", speedText(Button::largestSpeed_mm_per_s)));
     if (i > 0 && stated[i] == stated[0])
-      return buttonFailure(place, Message("states the speed %1 twice", speedText(stated[i])),
-                           Message("Give each graph a speed of its own"));
+      return buttonFailure(place, Message("the state has two graphs at the speed %1", speedText(stated[i])),
+                           Message("Give each graph a different speed"));
     if (i > 1 && !(stated[i] > stated[i - 1]))
-      return buttonFailure(place,
-                           Message("speed %1 is not above the previous speed %2", speedText(stated[i]),
-                                   speedText(stated[i - 1])),
-                           Message("Sort the other graphs by increasing speed, each speed once"));
+      return buttonFailure(
+          place,
+          Message("speed %1 is not above the previous speed %2", speedText(stated[i]),
+                  speedText(stated[i - 1])),
+          Message("Sort the other graphs by increasing speed, and use each speed only once"));
   }
   return {};
 }
@@ -89,20 +93,20 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
     if (other.graph.release().has_value() != state.graph.release().has_value())
       return buttonFailure(at,
                            other.graph.release()
-                               ? Message("has a release, but the graph at %1 has none", own)
-                               : Message("has no release, but the graph at %1 has one", own),
-                           Message("Give all speeds a release, or none"));
+                               ? Message("this graph has a release, but the graph at %1 has none", own)
+                               : Message("this graph has no release, but the graph at %1 has one", own),
+                           Message("Give the graphs of all speeds a release, or none of them"));
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
       const StrokeCurve &mine = state.graph.curve(stroke), &theirCurve = other.graph.curve(stroke);
       for (const auto& [from_mm, to_mm] :
            {std::pair{theirCurve.start_mm(), mine.start_mm()}, std::pair{theirCurve.end_mm(), mine.end_mm()}})
         if (std::abs(from_mm - to_mm) > apart_mm)
-          return buttonFailure(
-              at,
-              Message("one end of the %1 lies at %2, but at %4 in the graph of %3: more than %5 apart",
-                      stroke == Stroke::press ? Message("press") : Message("release"), millimetres(from_mm),
-                      own, millimetres(to_mm), millimetres(apart_mm)),
-              Message("Give graphs of one button, with the same travel"));
+          return buttonFailure(at,
+                               Message("one end of the %1 lies at %2, but in the graph of %3 it lies at %4; "
+                                       "the two may differ by %5 at most",
+                                       stroke == Stroke::press ? Message("press") : Message("release"),
+                                       millimetres(from_mm), own, millimetres(to_mm), millimetres(apart_mm)),
+                               Message("Give graphs of one button, with the same travel"));
     }
     if (auto problem =
             pointProblem(at, Message("operating point"), state.operatingPoint_mm, other.graph.press()))
@@ -125,15 +129,17 @@ std::optional<Failure> differentSpeeds(const std::vector<ButtonState>& states) {
   for (std::size_t i = 1; i < states.size(); ++i) {
     const ButtonState& state = states[i];
     if (state.speed_mm_per_s && first.speed_mm_per_s && *state.speed_mm_per_s != *first.speed_mm_per_s)
-      return buttonFailure(placeOf(states, i),
-                           Message("states the speed %1, but %2 states %3", speedText(*state.speed_mm_per_s),
-                                   placeOf(states, 0), speedText(*first.speed_mm_per_s)),
-                           Message("Choose the same speed for the main graph of every state"));
+      return buttonFailure(
+          placeOf(states, i),
+          Message("the main graph of this state has the speed %1, but that of %2 has %3",
+                  speedText(*state.speed_mm_per_s), placeOf(states, 0), speedText(*first.speed_mm_per_s)),
+          Message("Choose the same speed for the main graph of every state"));
     if (state.speed_mm_per_s != first.speed_mm_per_s ||
         !atTheSameSpeeds(state.otherSpeeds, first.otherSpeeds))
-      return buttonFailure(placeOf(states, i),
-                           Message("has graphs at other speeds than %1", placeOf(states, 0)),
-                           Message("Give every state graphs at the same speeds"));
+      return buttonFailure(
+          placeOf(states, i),
+          Message("the graphs of this state have other speeds than those of %1", placeOf(states, 0)),
+          Message("Give every state graphs at the same speeds"));
   }
   return {};
 }
@@ -143,7 +149,7 @@ std::optional<Failure> stateProblem(const std::vector<ButtonState>& states, std:
   const Message place = placeOf(states, index);
   for (std::size_t other = 0; other < index; ++other)
     if (states[other].name == state.name)
-      return buttonFailure(place, Message("has the same name as state %1", other + 1),
+      return buttonFailure(place, Message("this state has the same name as state %1", other + 1),
                            Message("Give each state its own name"));
   if (auto problem =
           pointProblem(place, Message("operating point"), state.operatingPoint_mm, state.graph.press()))
@@ -177,7 +183,7 @@ std::optional<Failure> provenanceProblem(const Provenance& provenance) {
 Result<Button> Button::fromStates(std::string name, std::vector<ButtonState> states,
                                   std::optional<Provenance> provenance) {
   if (states.empty() || states.size() > 2)
-    return buttonFailure("", Message("has %1 states", states.size()),
+    return buttonFailure("", Message("the button has %1 states, but it needs one or two", states.size()),
                          Message("Give one state (momentary) or two (self-locking)"));
   for (std::size_t i = 0; i < states.size(); ++i)
     if (auto problem = stateProblem(states, i)) return *problem;

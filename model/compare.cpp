@@ -195,7 +195,7 @@ Result<GraphDistance> compare(const GraphPolylines& first, const GraphPolylines&
   result.release = strokeDistance(first.release, second.release);
   if (!result.press && !result.release)
     return Failure{FailureCode::wrongUsage, "compare", "", Message("the two graphs have no stroke in common"),
-                   Message("Compare graphs that both have a press or a release curve")};
+                   Message("Choose two graphs that both have a press, or both have a release")};
   int strokes = 0;
   for (const auto& stroke : {result.press, result.release}) {
     if (!stroke) continue;

@@ -46,7 +46,7 @@ using StateEdit = std::function<std::optional<Failure>(ButtonState&)>;
 
 Result<Button> editState(const Button& button, std::size_t index, const StateEdit& edit) {
   if (index >= button.states().size())
-    return refusal("button", "", Message("has no state %1", index + 1),
+    return refusal("button", "", Message("the button has no state %1", index + 1),
                    Message("Choose one of the states of the button"));
   std::vector<ButtonState> states = button.states();
   if (auto problem = edit(states[index])) return *problem;
@@ -99,8 +99,9 @@ Result<StrokeCurve> scaleTravel(const StrokeCurve& curve, double factor) {
 
 Result<ForceGraph> editStroke(const ForceGraph& graph, Stroke stroke, const CurveEdit& edit) {
   if (stroke == Stroke::release && !graph.release())
-    return refusal("force graph", Message("release curve"), Message("does not exist"),
-                   Message("Create a release curve first: mirror the press curve"));
+    return refusal(
+        "force graph", Message("release curve"), Message("there is no release curve"),
+        Message("Create a release curve first (in the window: Edit > Curve > Mirror press to release)"));
   auto edited = edit(graph.curve(stroke));
   if (!edited) return edited.failure();
   if (stroke == Stroke::press) return ForceGraph::fromCurves(*std::move(edited), graph.release());
@@ -109,7 +110,8 @@ Result<ForceGraph> editStroke(const ForceGraph& graph, Stroke stroke, const Curv
 
 Result<ForceGraph> mirrorPressToRelease(const ForceGraph& graph, double hysteresis_N) {
   if (!std::isfinite(hysteresis_N) || hysteresis_N < 0)
-    return refusal("force graph", Message("hysteresis"), Message("is not a number of 0 or more"),
+    return refusal("force graph", Message("hysteresis"),
+                   Message("the hysteresis is not a number of 0 or more"),
                    Message("Give a force in N, 0 for none"));
   std::vector<Knot> knots = graph.press().knots();
   for (Knot& k : knots) {
@@ -174,10 +176,10 @@ Result<Button> setDamping(const Button& button, std::size_t state, std::vector<D
 Result<Button> addState(const Button& button, std::size_t of) {
   std::vector<ButtonState> states = button.states();
   if (of >= states.size())
-    return refusal("button", "", Message("has no state %1", of + 1),
+    return refusal("button", "", Message("the button has no state %1", of + 1),
                    Message("Choose one of the states of the button"));
   if (states.size() > 1)
-    return refusal("button", "", Message("has two states already"),
+    return refusal("button", "", Message("the button already has two states"),
                    Message("Remove one of the states first"));
   if (states[of].name.empty()) states[of].name = "unlocked";
   states.push_back(states[of]);
@@ -188,10 +190,11 @@ Result<Button> addState(const Button& button, std::size_t of) {
 Result<Button> removeState(const Button& button, std::size_t state) {
   std::vector<ButtonState> states = button.states();
   if (state >= states.size())
-    return refusal("button", "", Message("has no state %1", state + 1),
+    return refusal("button", "", Message("the button has no state %1", state + 1),
                    Message("Choose one of the states of the button"));
   if (states.size() == 1)
-    return refusal("button", "", Message("has only this state"), Message("Add a second state first"));
+    return refusal("button", "", Message("the button has only this state"),
+                   Message("Add a second state first"));
   states.erase(states.begin() + static_cast<std::ptrdiff_t>(state));
   return Button::fromStates(button.name(), std::move(states), button.provenance());
 }

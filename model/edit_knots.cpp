@@ -14,8 +14,10 @@ Failure knotRefusal(Message place, Message problem, Remedies remedies) {
 
 std::optional<Failure> noSuchKnot(const StrokeCurve& curve, std::size_t index) {
   if (index < curve.knots().size()) return {};
-  return knotRefusal("", Message("has no point %1, only %2 points", index + 1, curve.knots().size()),
-                     Message("Choose one of the points of the curve"));
+  return knotRefusal(
+      "",
+      Message("the curve has no point %1, because it has only %2 points", index + 1, curve.knots().size()),
+      Message("Choose one of the points of the curve"));
 }
 
 using KnotEdit = std::function<void(Knot&)>;
@@ -108,8 +110,8 @@ Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurveP
   if (passesBefore || passesAfter) {
     const Knot& neighbour = knots[passesBefore ? index - 1 : index + 1];
     return knotRefusal(Message("curve point %1", index + 1),
-                       Message("cannot move to %1: its neighbour is at %2", millimetres(to.displacement_mm),
-                               millimetres(neighbour.displacement_mm)),
+                       Message("the point cannot move to %1, because its neighbour at %2 lies in between",
+                               millimetres(to.displacement_mm), millimetres(neighbour.displacement_mm)),
                        Message("Keep the point between its neighbours, or remove the neighbour first"));
   }
   return placeKnots(curve, {{index, to}});
@@ -154,15 +156,15 @@ Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm)
   if (!(displacement_mm > curve.start_mm() && displacement_mm < curve.end_mm()))
     return knotRefusal(
         "",
-        Message("has no place for a point at %1: it runs from %2 to %3", millimetres(displacement_mm),
-                millimetres(curve.start_mm()), millimetres(curve.end_mm())),
+        Message("no point can be added at %1, because the curve runs from %2 to %3",
+                millimetres(displacement_mm), millimetres(curve.start_mm()), millimetres(curve.end_mm())),
         Message("Choose a displacement between the ends of the curve"));
   std::vector<Knot> knots = curve.knots();
   auto after = knots.begin();
   while (after->displacement_mm < displacement_mm) ++after;
   if (after->displacement_mm == displacement_mm)
     return knotRefusal(Message("curve point %1", after - knots.begin() + 1),
-                       Message("is already at %1", millimetres(displacement_mm)),
+                       Message("there already is a curve point at %1", millimetres(displacement_mm)),
                        Message("Move that curve point instead"));
   const double slope = curve.slope_N_per_mm(displacement_mm);
   knots.insert(after, {displacement_mm, curve.force_N(displacement_mm), slope, slope});
@@ -173,7 +175,7 @@ Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index) {
   if (auto problem = noSuchKnot(curve, index)) return *problem;
   if (curve.knots().size() == 2)
     return knotRefusal(Message("curve point %1", index + 1),
-                       Message("cannot be removed: a curve needs 2 points"),
+                       Message("the point cannot be removed, because a curve needs 2 points"),
                        Message("Move the point instead"));
   std::vector<Knot> knots = curve.knots();
   knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
@@ -191,8 +193,8 @@ Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotP
     if (!(knots[i].displacement_mm < knots[i - 1].displacement_mm)) continue;
     return knotRefusal(
         Message("curve point %1", i + 1),
-        Message("would be at %1, before curve point %2 at %3", millimetres(knots[i].displacement_mm), i,
-                millimetres(knots[i - 1].displacement_mm)),
+        Message("the point would move to %1, before curve point %2 at %3",
+                millimetres(knots[i].displacement_mm), i, millimetres(knots[i - 1].displacement_mm)),
         Message("Keep the points in their order, or select fewer points"));
   }
   keepMonotone(curve.knots(), knots);
@@ -209,17 +211,18 @@ Result<StrokeCurve> removeKnots(const StrokeCurve& curve, const std::vector<std:
   for (std::size_t i = 0; i < goes.size(); ++i)
     if (!goes[i]) left.push_back(curve.knots()[i]);
   if (left.size() < 2)
-    return knotRefusal(
-        "",
-        Message("%1 points cannot be removed: a curve needs 2 points", curve.knots().size() - left.size()),
-        Message("Keep at least two points"));
+    return knotRefusal("",
+                       Message("%1 points cannot be removed, because a curve needs 2 points",
+                               curve.knots().size() - left.size()),
+                       Message("Keep at least two points"));
   return StrokeCurve::fromKnots(std::move(left));
 }
 
 Result<std::vector<Knot>> stretchOf(const StrokeCurve& curve, double from_mm, double to_mm) {
   if (!(from_mm < to_mm && from_mm >= curve.start_mm() && to_mm <= curve.end_mm()))
-    return knotRefusal("", Message("has no part from %1 to %2", millimetres(from_mm), millimetres(to_mm)),
-                       Message("Choose two places on the curve, the first one before the second"));
+    return knotRefusal(
+        "", Message("the curve has no part from %1 to %2", millimetres(from_mm), millimetres(to_mm)),
+        Message("Choose two places on the curve, the first one before the second"));
   StrokeCurve cut = curve;
   for (const double end_mm : {from_mm, to_mm}) {
     const auto& knots = cut.knots();
@@ -236,7 +239,9 @@ Result<std::vector<Knot>> stretchOf(const StrokeCurve& curve, double from_mm, do
 }
 
 Result<StrokeCurve> putStretch(const StrokeCurve& curve, const std::vector<Knot>& stretch) {
-  if (stretch.empty()) return knotRefusal("", Message("gets no points"), Message("Give one point or more"));
+  if (stretch.empty())
+    return knotRefusal("", Message("there are no points to insert into the curve"),
+                       Message("Give one point or more"));
   const double from_mm = stretch.front().displacement_mm, to_mm = stretch.back().displacement_mm;
   std::vector<Knot> knots;
   for (const Knot& k : curve.knots())

@@ -102,18 +102,19 @@ std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Messag
                        (to.displacement_mm < after.displacement_mm ||
                         (upVertical && after.displacement_mm == apex.displacement_mm));
   if (!between)
-    return shapeRefusal(
-        place,
-        Message("cannot move to %1: it must stay between %2 and %3", millimetres(to.displacement_mm),
-                millimetres(before.displacement_mm), millimetres(after.displacement_mm)),
-        Message("Keep the point between the neighbouring peaks and valleys"));
+    return shapeRefusal(place,
+                        Message("the point cannot move to %1, because it must stay between %2 and %3",
+                                millimetres(to.displacement_mm), millimetres(before.displacement_mm),
+                                millimetres(after.displacement_mm)),
+                        Message("Keep the point between the neighbouring peaks and valleys"));
   const bool top = apex.force_N > before.force_N || apex.force_N > after.force_N;
   const double bound =
       top ? std::max(before.force_N, after.force_N) : std::min(before.force_N, after.force_N);
   const bool stays = std::isfinite(to.force_N) && (top ? to.force_N > bound : to.force_N < bound);
   if (stays) return {};
   return shapeRefusal(place,
-                      Message("would no longer be a peak or valley at %1: the curve beside it ends at %2",
+                      Message("with the force %1, the point would no longer be a peak or valley, because the "
+                              "curve beside it ends at %2",
                               newtons(to.force_N), newtons(bound)),
                       top ? Message("Keep the force of the point above this value")
                           : Message("Keep the force of the point below this value"));
@@ -155,7 +156,8 @@ Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, Curv
 }
 
 Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
-  return shapeRefusal("", Message("has no tactile point %1, only %2", index + 1, count),
+  return shapeRefusal("",
+                      Message("the curve has no tactile point %1, because it has only %2", index + 1, count),
                       Message("Choose one of the tactile points of the curve"));
 }
 
@@ -186,7 +188,7 @@ struct Drag {
 std::optional<Failure> dragProblem(const Drag& drag, const Message& place) {
   const auto fault = [&](double limit_mm) {
     return shapeRefusal(place,
-                        Message("cannot move by %1: the neighbouring section ends at %2",
+                        Message("the section cannot move by %1, because the neighbouring section ends at %2",
                                 millimetres(drag.by_mm), millimetres(limit_mm)),
                         Message("Move the section by less"));
   };
@@ -245,21 +247,23 @@ std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, c
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   if (!positive(jump.width_mm) || !positive(jump.drop_N))
     return shapeRefusal(Message("new jump"),
-                        Message("has width %1 and drop %2", millimetres(jump.width_mm), newtons(jump.drop_N)),
+                        Message("the jump has the width %1 and the drop %2, but both must be above 0",
+                                millimetres(jump.width_mm), newtons(jump.drop_N)),
                         Message("Give width and drop as numbers above 0"));
   const double end_mm = jump.at_mm + (stroke == Stroke::press ? jump.width_mm : -jump.width_mm);
   const auto inside = [&](double x) { return x > curve.start_mm() && x < curve.end_mm(); };
   if (!inside(jump.at_mm) || !inside(end_mm))
     return shapeRefusal(
         Message("new jump"),
-        Message("from %1 to %2 leaves the curve, which runs from %3 to %4", millimetres(jump.at_mm),
+        Message("the jump from %1 to %2 leaves the curve, which runs from %3 to %4", millimetres(jump.at_mm),
                 millimetres(end_mm), millimetres(curve.start_mm()), millimetres(curve.end_mm())),
         Message("Make the jump narrower, or move it inward"));
   const double towards =
       stroke == Stroke::press ? curve.slopeBefore_N_per_mm(jump.at_mm) : curve.slope_N_per_mm(jump.at_mm);
   if (towards > 0) return {};
   return shapeRefusal(
-      Message("new jump"), Message("starts at %1, where the force does not rise", millimetres(jump.at_mm)),
+      Message("new jump"),
+      Message("the jump starts at %1, where the force does not rise", millimetres(jump.at_mm)),
       Message("Start the jump where the force rises, so that its start becomes a tactile point"));
 }
 
@@ -287,7 +291,7 @@ Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoi
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
   const Message place("turn at %1", millimetres(turn.displacement_mm));
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
-    return shapeRefusal(place, Message("is neither a peak nor a valley of the curve"),
+    return shapeRefusal(place, Message("the point is neither a peak nor a valley of the curve"),
                         Message("Choose a peak or a valley"));
   const double bottomOut_mm = bottomOutOf(curve, settings).displacement_mm;
   return moveApex(curve, hillAt(curve, turn, bottomOut_mm), to, place);
@@ -299,7 +303,7 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
   if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
   const Message place("tactile point %1", tactileIndex + 1);
   if (!std::isfinite(ratio) || ratio <= 0)
-    return shapeRefusal(place, Message("cannot have a snap ratio of %1", ratio),
+    return shapeRefusal(place, Message("a tactile point cannot have a snap ratio of %1", ratio),
                         Message("Give a ratio above 0"));
   const TactilePoint& tactile = points[tactileIndex];
   const double stop_mm =
@@ -310,7 +314,7 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
         (!valley || p.force_N < valley->force_N))
       valley = p;
   if (!valley)
-    return shapeRefusal(place, Message("has no valley after it"),
+    return shapeRefusal(place, Message("there is no valley after the tactile point"),
                         Message("Add a valley, or raise the end of the stroke above the tactile point"));
   const double bottomOut_mm = bottomOutOf(press, settings).displacement_mm;
   const Hill hill = hillAt(press, *valley, bottomOut_mm);
@@ -322,12 +326,13 @@ Result<StrokeCurve> moveSection(const StrokeCurve& curve, Stroke stroke, std::si
                                 double by_N, const SectionSettings& settings) {
   std::vector<Section> sections = sectionsOf(curve, stroke, settings);
   if (index >= sections.size())
-    return shapeRefusal("", Message("has no section %1, only %2", index + 1, sections.size()),
-                        Message("Choose one of the sections of the curve"));
+    return shapeRefusal(
+        "", Message("the curve has no section %1, because it has only %2", index + 1, sections.size()),
+        Message("Choose one of the sections of the curve"));
   if (!std::isfinite(by_mm) || !std::isfinite(by_N))
     return shapeRefusal(Message("section %1", index + 1),
-                        Message("cannot move by this distance: it is not a usable number"),
-                        Message("Give usable numbers as distances"));
+                        Message("the section cannot move, because the distance is not a usable number"),
+                        Message("Give the distances as ordinary numbers"));
   const Section moved = sections[index];
   const auto [from_mm, to_mm] = std::minmax(moved.from_mm, moved.to_mm);
   double left_mm = from_mm, right_mm = to_mm;
@@ -350,10 +355,11 @@ Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jum
   const double tactile_N = curve.force_N(jump.at_mm), end_N = curve.force_N(end_mm);
   const CurvePoint valley{jump.at_mm + 0.5 * sign * jump.width_mm, tactile_N - sign * jump.drop_N};
   if (sign * (end_N - valley.force_N) <= 0)
-    return shapeRefusal(Message("new jump"),
-                        Message("cannot return to the curve: the force there is %1, in the valley %2",
-                                newtons(end_N), newtons(valley.force_N)),
-                        Message("Make the drop larger or the jump narrower"));
+    return shapeRefusal(
+        Message("new jump"),
+        Message("the jump cannot return to the curve, because the force is %1 there and %2 in the valley",
+                newtons(end_N), newtons(valley.force_N)),
+        Message("Make the drop larger or the jump narrower"));
   std::vector<Knot> knots =
       replacedBetween(prepared, from_mm, to_mm, {{valley.displacement_mm, valley.force_N, 0, 0}});
   for (std::size_t i = 1; i + 1 < knots.size(); ++i) {

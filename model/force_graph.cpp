@@ -31,11 +31,11 @@ std::optional<Failure> curveProblem(const StrokeCurve& curve, const Message& nam
 std::optional<Failure> releaseProblem(const StrokeCurve& press, const StrokeCurve& release) {
   if (auto problem = curveProblem(release, Message("release curve"))) return problem;
   if (release.end_mm() > press.start_mm() && release.start_mm() < press.end_mm()) return {};
-  return graphFailure(
-      Message("release curve"),
-      Message("covers %1 to %2, but the press curve covers %3 to %4", millimetres(release.start_mm()),
-              millimetres(release.end_mm()), millimetres(press.start_mm()), millimetres(press.end_mm())),
-      Message("Measure the displacement of both strokes from the same zero"));
+  return graphFailure(Message("release curve"),
+                      Message("the release curve runs from %1 to %2, but the press curve from %3 to %4",
+                              millimetres(release.start_mm()), millimetres(release.end_mm()),
+                              millimetres(press.start_mm()), millimetres(press.end_mm())),
+                      Message("Measure the displacement of both strokes from the same zero"));
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::optional<Failure> releaseProblem(const StrokeCurve& press, const StrokeCurv
 Result<ForceGraph> ForceGraph::fromCurves(StrokeCurve press, std::optional<StrokeCurve> release) {
   if (press.start_mm() < 0)
     return graphFailure(Message("press curve"),
-                        Message("starts at %1, before 0", millimetres(press.start_mm())),
+                        Message("the press curve starts at %1, before 0", millimetres(press.start_mm())),
                         Message("Move the curve so that it starts at 0 mm or later"));
   if (auto problem = curveProblem(press, Message("press curve"))) return *problem;
   if (release)

@@ -33,7 +33,8 @@ Result<std::optional<double>> newEnd_mm(const Button& before, const Button& afte
       const double now_mm = is.graph.curve(stroke).end_mm();
       if (std::abs(now_mm - was.graph.curve(stroke).end_mm()) <= rounding) continue;
       if (end_mm && std::abs(*end_mm - now_mm) > rounding)
-        return linkRefusal(nameOf(stroke), Message("would no longer end where the other strokes end"),
+        return linkRefusal(nameOf(stroke),
+                           Message("this stroke would no longer end where the other strokes end"),
                            Message("Move only one end, or remove the link between the ends"));
       end_mm = now_mm;
     }
@@ -250,9 +251,10 @@ std::optional<Failure> movedPin(const Button& before, const Button& after, const
   for (const PinnedPoint& pin : links.pinned) {
     const auto was = forceAt(before, pin), is = forceAt(after, pin);
     if (!was || (is && std::abs(*is - *was) <= rounding)) continue;
-    return linkRefusal(nameOf(pin.stroke),
-                       Message("would leave its locked point at %1", millimetres(pin.displacement_mm)),
-                       Message("Unlock the point, or move something else"));
+    return linkRefusal(
+        nameOf(pin.stroke),
+        Message("the curve would leave its locked point at %1", millimetres(pin.displacement_mm)),
+        Message("Unlock the point, or move something else"));
   }
   return {};
 }

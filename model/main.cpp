@@ -42,10 +42,10 @@ Result<Report> convert(Arguments& arguments) {
   const auto force = forceUnitFrom(arguments.forceUnit);
   const auto length = lengthUnitFrom(arguments.lengthUnit);
   if (!force || !length)
-    return Failure{
-        FailureCode::wrongUsage, Subject::option(force ? "--length-unit" : "--force-unit"), "",
-        "does not name a known unit: \"" + (force ? arguments.lengthUnit : arguments.forceUnit) + "\"",
-        force ? "Use mm, cm, µm, in or mil" : "Use N, mN, cN, gf, kgf, ozf or lbf"};
+    return Failure{FailureCode::wrongUsage, Subject::option(force ? "--length-unit" : "--force-unit"), "",
+                   "the name is not that of a known unit: \"" +
+                       (force ? arguments.lengthUnit : arguments.forceUnit) + "\"",
+                   force ? "Use mm, cm, µm, in or mil" : "Use N, mN, cN, gf, kgf, ozf or lbf"};
   arguments.convert.svg.forceUnit = *force;
   arguments.convert.svg.lengthUnit = *length;
   arguments.convert.svg.callouts = !arguments.noCallouts;

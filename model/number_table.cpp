@@ -165,11 +165,12 @@ Result<std::string> readTable(const std::string& file, std::size_t most_bytes, c
   };
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return refused("cannot be opened (" + error.message() + ")");
-  if (size > most_bytes) return refused("is larger than " + std::to_string(most_bytes >> 20) + " MiB");
+  if (error) return refused("the file cannot be opened (" + error.message() + ")");
+  if (size > most_bytes)
+    return refused("the file is larger than " + std::to_string(most_bytes >> 20) + " MiB");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
-  if (!in || (size > 0 && !(text << in.rdbuf())) || in.bad()) return refused("cannot be read");
+  if (!in || (size > 0 && !(text << in.rdbuf())) || in.bad()) return refused("the file cannot be read");
   return text.str();
 }
 

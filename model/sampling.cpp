@@ -153,12 +153,15 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint p = points[i];
     if (!std::isfinite(p.displacement_mm) || !std::isfinite(p.force_N))
-      return pointFault(i, Message("is not a usable number"), Message("Remove the point"));
+      return pointFault(i, Message("one of the two values is not a usable number"),
+                        Message("Remove the point"));
     if (!clean.empty() && p.displacement_mm < clean.back().displacement_mm)
-      return pointFault(i,
-                        Message("at %1 goes back behind the previous point at %2",
-                                millimetres(p.displacement_mm), millimetres(clean.back().displacement_mm)),
-                        Message("Give one stroke in the order travelled, or fit it with detent-import"));
+      return pointFault(
+          i,
+          Message("the displacement %1 lies before that of the previous point, %2",
+                  millimetres(p.displacement_mm), millimetres(clean.back().displacement_mm)),
+          Message("Put the points of the stroke into the order of the movement, or let detent-import fit a "
+                  "curve to them (in the window: File > Import a datasheet)"));
     if (!clean.empty() && clean.back() == p) continue;
     const std::size_t n = clean.size();
     const bool third = n >= 2 && clean[n - 1].displacement_mm == p.displacement_mm &&
@@ -166,9 +169,11 @@ CleanPoints cleaned(const std::vector<CurvePoint>& points) {
     if (third) {
       const bool goesOn = (clean[n - 1].force_N > clean[n - 2].force_N) == (p.force_N > clean[n - 1].force_N);
       if (!goesOn)
-        return pointFault(
-            i, Message("reverses its direction inside a vertical rise at %1", millimetres(p.displacement_mm)),
-            Message("Give one force at each displacement, or fit the points with detent-import"));
+        return pointFault(i,
+                          Message("the force reverses its direction inside a vertical rise at %1",
+                                  millimetres(p.displacement_mm)),
+                          Message("Keep one force at each displacement, or let detent-import fit a curve to "
+                                  "the points (in the window: File > Import a datasheet)"));
       clean.pop_back();
     }
     clean.push_back(p);

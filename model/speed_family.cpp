@@ -125,7 +125,8 @@ Result<Button> familyOf(const std::vector<Button>& buttons, const std::vector<do
                  Message("Give two to four buttons, and a speed for each"));
   for (const Button& button : buttons)
     if (button.states().size() != buttons.front().states().size())
-      return wrong("buttons", "some are momentary and some self-locking", "Give buttons of one kind");
+      return wrong("buttons", "some of the buttons are momentary, others are self-locking",
+                   "Choose buttons of one kind");
   std::vector<std::size_t> order(buttons.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

@@ -38,7 +38,8 @@ fs::path temporaryBeside(const fs::path& target) {
 }
 
 Failure refused(const fs::path& target, const Message& problem, const Message& remedy) {
-  return {FailureCode::wrongUsage, target.string(), "", Message("cannot be written: %1", problem), remedy};
+  return {FailureCode::wrongUsage, target.string(), "", Message("the file cannot be written: %1", problem),
+          remedy};
 }
 
 }  // namespace
@@ -75,12 +76,14 @@ Result<StagedFile> StagedFile::beside(const fs::path& target) {
   const fs::path file = resolved(target);
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status))
-    return refused(target, Message("it is a folder"), Message("Name a file inside this folder"));
+    return refused(target, Message("this is a folder, not a file"),
+                   Message("Name a file inside this folder"));
   if (fs::exists(status) && !fs::is_regular_file(status))
-    return refused(target, Message("it is not an ordinary file"), Message("Name an ordinary file"));
+    return refused(target, Message("this is not an ordinary file"), Message("Name an ordinary file"));
   const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
   if (!fs::is_directory(folder, error))
-    return refused(target, Message("its folder does not exist"), Message("Create the folder first"));
+    return refused(target, Message("the folder of the file does not exist"),
+                   Message("Create the folder first"));
   return StagedFile(file, temporaryBeside(file));
 }
 
@@ -100,7 +103,8 @@ Result<Done> StagedFile::commit() {
 
 Failure StagedFile::notWritten(const std::string& reason) const {
   return {FailureCode::internalFault, target_.string(), "",
-          reason.empty() ? Message("cannot be written") : Message("cannot be written: %1", reason),
+          reason.empty() ? Message("the file cannot be written")
+                         : Message("the file cannot be written: %1", reason),
           Message("Check the folder's permissions and free space")};
 }
 

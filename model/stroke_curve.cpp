@@ -182,12 +182,13 @@ std::optional<Failure> knotProblem(const std::vector<Knot>& knots, std::size_t i
   const double before = knots[i - 1].displacement_mm;
   if (k.displacement_mm < before)
     return curveFailure(knotPlace(i),
-                        Message("displacement %1 lies before that of the previous point, %2",
+                        Message("the displacement %1 lies before that of the previous point, %2",
                                 millimetres(k.displacement_mm), millimetres(before)),
                         Message("Sort the points by increasing displacement"));
   if (i >= 2 && k.displacement_mm == knots[i - 2].displacement_mm)
     return curveFailure(
-        knotPlace(i), Message("is the third point at displacement %1", millimetres(k.displacement_mm)),
+        knotPlace(i),
+        Message("this is the third point at the displacement %1", millimetres(k.displacement_mm)),
         Message("At one displacement, keep at most two points: the ends of a vertical piece"));
   return {};
 }
@@ -203,7 +204,7 @@ std::optional<Failure> pieceProblem(const std::vector<Knot>& knots, std::size_t 
     if (length > 1) steepest *= length;  // the tangents over the piece must stay finite too
   }
   if (std::isfinite(steepest)) return {};
-  return curveFailure(Message("piece %1", i + 1), Message("is too steep for its slope to be computed"),
+  return curveFailure(Message("piece %1", i + 1), Message("this piece is too steep to compute its slope"),
                       Message("Make the piece vertical (equal displacements) or less steep"));
 }
 
@@ -267,17 +268,19 @@ std::vector<CurvePoint> turnsInto(const std::vector<MonotoneStretch>& stretches,
 
 Result<StrokeCurve> StrokeCurve::fromKnots(std::vector<Knot> knots) {
   if (knots.size() < 2)
-    return curveFailure("", Message("has %1 points, but a curve needs at least 2", knots.size()),
+    return curveFailure("", Message("the curve has %1 points, but it needs at least 2", knots.size()),
                         Message("Give at least the start and the end of the curve"));
   if (knots.size() > maxKnots)
-    return curveFailure("", Message("has %1 points, more than the %2 allowed", knots.size(), maxKnots),
-                        Message("Remove some of the points first"));
+    return curveFailure(
+        "", Message("the curve has %1 points, but at most %2 are allowed", knots.size(), maxKnots),
+        Message("Remove some of the points first"));
   for (std::size_t i = 0; i < knots.size(); ++i)
     if (auto problem = knotProblem(knots, i)) return *problem;
   if (!(knots.back().displacement_mm > knots.front().displacement_mm))
-    return curveFailure(
-        "", Message("has zero travel: all points lie at %1", millimetres(knots.front().displacement_mm)),
-        Message("Give the curve two different displacements"));
+    return curveFailure("",
+                        Message("the curve has no travel, because all its points lie at %1",
+                                millimetres(knots.front().displacement_mm)),
+                        Message("Give the curve two different displacements"));
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
     if (auto problem = pieceProblem(knots, i)) return *problem;
   return StrokeCurve(std::move(knots));

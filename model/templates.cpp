@@ -56,9 +56,10 @@ Result<StrokeCurve> strokeFrom(const StrokeSketch& sketch) {
   std::vector<Knot> knots = smooth->knots();
   for (std::size_t piece : sketch.straight) {
     if (piece + 1 >= knots.size())
-      return Failure{FailureCode::wrongUsage, "stroke sketch", Message("piece %1", piece + 1),
-                     Message("does not exist: there are only %1 pieces", knots.size() - 1),
-                     Message("Name one of these pieces")};
+      return Failure{
+          FailureCode::wrongUsage, "stroke sketch", Message("piece %1", piece + 1),
+          Message("there is no such piece, because the curve has only %1 pieces", knots.size() - 1),
+          Message("Name one of these pieces")};
     Knot &a = knots[piece], &b = knots[piece + 1];
     if (a.displacement_mm == b.displacement_mm) continue;
     a.slopeAfter_N_per_mm = b.slopeBefore_N_per_mm =
@@ -122,7 +123,7 @@ Result<Button> twoLevelButton() { return tactileButton(twoLevelValues()); }
 Result<Button> selfLockingButton(const SelfLockingTemplate& values) {
   if (!(values.lock_mm > values.press.valley.displacement_mm && values.lock_mm < values.travel_mm))
     return Failure{FailureCode::wrongUsage, "self-locking button", Message("lock position"),
-                   Message("does not lie between the valley and the end of the travel"),
+                   Message("the lock position does not lie between the valley and the end of the travel"),
                    Message("Move the lock position between the two")};
   StrokeSketch unlockedPress{{{0, values.startForce_N},
                               values.press.tactile,

@@ -158,16 +158,17 @@ Result<Button> thinned(const Button& button) {
 
 Result<UnitSpread> spreadOf(const std::vector<Button>& units, const SectionSettings& settings) {
   const auto refuse = [](Message problem, const Message& advice) {
-    return Failure{FailureCode::wrongUsage, "units", "", std::move(problem), advice};
+    return Failure{FailureCode::wrongUsage, "specimens", "", std::move(problem), advice};
   };
   if (units.size() < 2)
-    return refuse(Message("there are fewer than two"), Message("Give every unit that was measured"));
+    return refuse(Message("an average needs at least two specimens"),
+                  Message("Give every specimen that was measured"));
   auto blended = blend(units, std::vector<double>(units.size(), 1.0), settings);
   if (!blended) return blended.failure();
   const Curves presses = curvesOf(units, 0, Stroke::press);
   const Range_mm range = commonRange(presses);
   if (!(range.from < range.to))
-    return refuse(Message("no displacement lies within the travel of all units"),
+    return refuse(Message("no displacement lies within the travel of all specimens"),
                   Message("Choose specimens of the same button"));
   auto mean = thinned(*blended);
   if (!mean) return mean.failure();

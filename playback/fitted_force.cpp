@@ -47,8 +47,8 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
     const bool busy = pace.computer_s > busyShare * pace.roundTrip_s;
     return {
         FailureCode::deviceTrouble, device.name, "",
-        Message("answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to %3 N/mm "
-                "are stable; this button needs %4 N/mm",
+        Message("the device answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to "
+                "%3 N/mm are stable; this button needs %4 N/mm",
                 answer_ms, late_ms, allowed, needed),
         busy ? Message("This computer is too slow: it takes %1 ms to send a line to itself. Close other "
                        "programs and allow real-time scheduling (docs/guide/force-feedback.md)",

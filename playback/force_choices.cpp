@@ -48,7 +48,7 @@ Result<ForceDeviceChoice> falconFrom(const std::string& text, bool numbered, std
   if (!numbered) return choice;
   const auto value = numberIn<unsigned>(number);
   if (!value || *value > mostFalcons)
-    return unknownDevice(text, Message("N counts the Falcons, starting with 0"));
+    return unknownDevice(text, Message("in falcon:N, N is the number of the Falcon, starting with 0"));
   choice.number = *value;
   return choice;
 }
@@ -64,7 +64,8 @@ Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text) {
   if (kind == "falcon") return falconFrom(text, detailed, detail);
   if (kind != "serial" && kind != "odrive") return unknownDevice(text, Message("there is no such device"));
   if (detail.empty())
-    return unknownDevice(text, Message("the port is missing, for example %1:/dev/ttyACM0", kind));
+    return unknownDevice(
+        text, Message("the name of the serial port is missing; an example is %1:/dev/ttyACM0", kind));
   ForceDeviceChoice choice;
   choice.kind = kind == "serial" ? ForceDeviceKind::serial : ForceDeviceKind::odrive;
   choice.port = detail;

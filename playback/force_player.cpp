@@ -58,7 +58,7 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
   if (times_s.empty()) {
     return Failure{FailureCode::unreadableInput, "--finger", "",
                    Message("no reading of the press trace is a number"),
-                   Message("Give a press trace with usable numbers")};
+                   Message("Correct the times and values in the CSV file of the press")};
   }
   if (finger.trace.quantity == PressTrace::Quantity::force_N)
     return FingerPlan{FingerForcePath{times_s, values}};
@@ -86,7 +86,7 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   if (!fitted) return fitted;
   if (!opened.setPace(slow_s)) {
     return Failure{FailureCode::deviceTrouble, settings.device.port, "",
-                   Message("does not accept the limits for a slow connection"),
+                   Message("the device does not accept the limits for a slow connection"),
                    Message("Check that the firmware follows docs/reference/force-protocol.md")};
   }
   return fitted;

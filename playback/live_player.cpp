@@ -180,12 +180,12 @@ class Player : public LivePlayer {
     stopTrace();
     if (!sounding_) {
       return Failure{FailureCode::wrongUsage, "press trace", "",
-                     Message("cannot be played without a sound device"),
+                     Message("nothing can be played without a sound device"),
                      Message("Start the player with a sound device")};
     }
     if (trace.readings.empty()) {
-      return Failure{FailureCode::wrongUsage, "press trace", "", Message("contains no readings"),
-                     Message("Give at least one reading")};
+      return Failure{FailureCode::wrongUsage, "press trace", "",
+                     Message("the press trace contains no readings"), Message("Give at least one reading")};
     }
     const double origin_s = std::min(0.0, trace.readings.front().time_s);
     std::vector<EngineInput> inputs = traceInputs(trace, origin_s);
@@ -216,7 +216,8 @@ class Player : public LivePlayer {
     receive();
     const std::lock_guard lock(controlMutex_);
     if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
-      return Failure{FailureCode::wrongUsage, "samples", "", Message("were requested too often at once"),
+      return Failure{FailureCode::wrongUsage, "samples", "",
+                     Message("samples were requested too often at once"),
                      Message("Wait until one of the requests has begun")};
     }
     takes_.push_back(std::move(take));
@@ -325,15 +326,17 @@ class Player : public LivePlayer {
       return Failure{FailureCode::wrongUsage, "samples", "", std::move(problem), remedy};
     };
     if (!sounding_)
-      return wrong(Message("cannot be played without a sound device"),
+      return wrong(Message("nothing can be played without a sound device"),
                    Message("Start the player with a sound device"));
-    if (samples.empty()) return wrong(Message("are missing"), Message("Give at least one reading"));
+    if (samples.empty()) return wrong(Message("there are no samples"), Message("Give at least one reading"));
     if (!(sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
           sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
-      return wrong(Message("have a rate outside 8000..192000 Hz"), Message("Choose another rate"));
+      return wrong(Message("the samples have a rate outside 8000 to 192000 Hz"),
+                   Message("Choose another rate"));
     const bool within =
         std::all_of(samples.begin(), samples.end(), [](float v) { return v >= -1 && v <= 1; });
-    if (!within) return wrong(Message("exceed full scale"), Message("Give samples within -1 and 1"));
+    if (!within)
+      return wrong(Message("the samples exceed full scale"), Message("Give samples within -1 and 1"));
     return std::nullopt;
   }
 
@@ -389,9 +392,10 @@ class Player : public LivePlayer {
     if (!rain) return rain.failure();
     rain_ = std::move(*rain);
     if (rain_->deviceName() != output_->deviceName()) return Done{};
-    return Failure{FailureCode::wrongUsage, masking.device, "",
-                   Message("is also the device of the vibration: the masking noise would be felt"),
-                   Message("Leave --noise-device out, or name the device of the headphones")};
+    return Failure{
+        FailureCode::wrongUsage, masking.device, "",
+        Message("this sound device also plays the vibration, so participants would feel the masking noise"),
+        Message("Leave --noise-device out, or name the device of the headphones")};
   }
 
   std::int64_t streamFrame() {
@@ -701,7 +705,7 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& sett
   if (!rate) return rate.failure();
   if (*rate < HapticEngine::lowestSampleRate_Hz || *rate > HapticEngine::highestSampleRate_Hz) {
     return Failure{FailureCode::wrongUsage, "sample rate", "",
-                   Message("%1 Hz lies outside 8000..192000", std::lround(*rate)),
+                   Message("the sample rate %1 Hz lies outside 8000 to 192000 Hz", std::lround(*rate)),
                    Message("Choose another rate")};
   }
   auto player = std::make_unique<Player>(*rate, true);

@@ -65,12 +65,13 @@ class Measuring {
  private:
   Result<Done> open() {
     if (!(settings_.range_mm >= shortestRange_mm && settings_.range_mm <= longestRange_mm)) {
-      return Failure{FailureCode::wrongUsage, "--range", "", "is " + numberText(settings_.range_mm) + " mm",
-                     "Give 4 to 80"};
+      return Failure{FailureCode::wrongUsage, "--range", "",
+                     "the value is " + numberText(settings_.range_mm) + " mm", "Give 4 to 80"};
     }
     ForceLimits& limits = device_.profile.limits;
     if (!(settings_.largest_N > 0 && settings_.largest_N <= limits.force_N)) {
-      return Failure{FailureCode::wrongUsage, "--max-N", "", "is " + numberText(settings_.largest_N) + " N",
+      return Failure{FailureCode::wrongUsage, "--max-N", "",
+                     "the value is " + numberText(settings_.largest_N) + " N",
                      "Give one above 0, up to " + numberText(limits.force_N)};
     }
     limits.force_N = settings_.largest_N;
@@ -95,7 +96,7 @@ class Measuring {
     if (!opened) return opened.failure();
     return keepPaceOf(**opened)
                ? started(*std::move(opened))
-               : Result<Done>(trouble(device_, "does not accept the limits for a slow connection",
+               : Result<Done>(trouble(device_, "the device does not accept the limits for a slow connection",
                                       "Check that the firmware follows docs/reference/force-protocol.md"));
   }
 

@@ -7,8 +7,10 @@ namespace detent::playback {
 
 namespace {
 Failure withoutDevices() {
-  return {FailureCode::deviceTrouble, "live playback", "", Message("is not part of this build"),
-          Message("Build with -DDETENT_WITH_DEVICE=ON, or use render")};
+  return {FailureCode::deviceTrouble, "live playback", "",
+          Message("this build of Detent has no live playback"),
+          Message("Install a build of Detent with live playback, or write the vibration to a sound file (in "
+                  "the window: File > Export; on the command line: `detent-play render`)")};
 }
 }  // namespace
 

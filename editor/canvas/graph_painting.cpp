@@ -569,7 +569,7 @@ std::vector<LegendEntry> legendOf(const QPainter& painter, const PlotMapping& ma
   if (scene.state.graph.release() || scene.spread || scene.reference) stroke(tr("press"), Stroke::press);
   if (scene.state.graph.release()) stroke(tr("release"), Stroke::release);
   if (scene.spread)
-    entries.push_back({tr("units ± standard deviation"),
+    entries.push_back({tr("specimens ± standard deviation"),
                        QPen(withAlpha(scene.colors.press, bandOpacity), 8, Qt::SolidLine, Qt::FlatCap)});
   if (scene.reference)
     entries.push_back(

@@ -177,7 +177,7 @@ QToolButton* FeelPanel::buttonOf(QAction* action, const char* name, const QStrin
 
 QLayout* FeelPanel::choiceRow() {
   exchange_ = ownAction("exchangeButtons", tr("Press the other button (A or B)"),
-                        tr("Switch between A and B while pressing. Both are played at their true levels, "
+                        tr("Switch between A and B while pressing. Both are played at their true strength, "
                            "without loudness matching."),
                         Qt::Key_X);
   connect(exchange_, &QAction::triggered, &session_, &FeelSession::exchange);

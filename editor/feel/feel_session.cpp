@@ -75,7 +75,7 @@ void FeelSession::feel(FeelSide side) {
   felt_ = side;
   underFinger();
   emit feltDocumentChanged(feltDocument());
-  emit said(tr("You are pressing %1, at its true level").arg(feltDocument()->title()));
+  emit said(tr("You are pressing %1 at its true strength").arg(feltDocument()->title()));
 }
 
 std::shared_ptr<const playback::LiveProgram> FeelSession::program() const {

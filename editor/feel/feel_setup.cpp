@@ -54,9 +54,9 @@ void FeelSetup::addPressing(QFormLayout& form) {
   connect(full_, &QuantityField::valueChanged, this, &FeelSetup::take);
   form.addRow(tr("&Full press:"), full_);
 
-  followState_ =
-      described(new QCheckBox(tr("Graph follows the state")), "followState",
-                tr("For a self-locking button, the graph shows the state that is felt: unlocked or locked."));
+  followState_ = described(
+      new QCheckBox(tr("Show the state that is felt")), "followState",
+      tr("For a self-locking button, the graph changes to the state that is felt: unlocked or locked."));
   connect(followState_, &QCheckBox::toggled, this, &FeelSetup::take);
   form.addRow(QString(), followState_);
 }
@@ -91,9 +91,11 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   connect(stamped_, &QRadioButton::toggled, this, &FeelSetup::take);
   form.addRow(tr("Timing:"), placement);
 
-  profileFile_ = described(new QPushButton, "profileFile",
-                           tr("A .device file with the response of the transducer and the calibration of the "
-                              "sensor. Measure them with detent-play sweep and detent-play calibrate."));
+  profileFile_ =
+      described(new QPushButton, "profileFile",
+                tr("File (.device) that states how strong the transducer is at each frequency, and how the "
+                   "force sensor is calibrated. The command `detent-play sweep` measures the transducer, "
+                   "`detent-play calibrate` the sensor; the user's guide shows how."));
   connect(profileFile_, &QPushButton::clicked, this, &FeelSetup::chooseProfile);
   noProfile_ = described(new QPushButton(tr("None")), "noProfile", tr("Play as for an ideal device"));
   connect(noProfile_, &QPushButton::clicked, this, [this] {
@@ -116,7 +118,7 @@ void FeelSetup::addSound(QFormLayout& form) {
   form.addRow(QString(), deviceNote_);
 
   rate_ = comboBox("sampleRate", tr("Sample rate in Hz"));
-  addChoice(rate_, tr("the device's own"), 0.0);
+  addChoice(rate_, tr("rate of the device"), 0.0);
   for (const double rate : {44100.0, 48000.0, 88200.0, 96000.0, 192000.0})
     addChoice(rate_, tr("%1 Hz").arg(fixedText(rate, 0)), rate);
   connect(rate_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
@@ -133,7 +135,9 @@ void FeelSetup::addSound(QFormLayout& form) {
 void FeelSetup::addSensor(QFormLayout& form) {
   port_ = comboBoxOfNames("sensorPort", tr("Serial port of the force sensor, for example /dev/ttyACM0"));
   port_->setEditable(true);
-  baud_ = comboBoxOfNames("sensorBaud", tr("Bits per second; USB sensors ignore it"));
+  baud_ = comboBoxOfNames(
+      "sensorBaud",
+      tr("Speed of the serial port in bits per second. Sensors with a USB connection ignore it"));
   baud_->setEditable(true);
   for (const int baud : {9600, 57600, 115200, 230400, 460800, 921600}) baud_->addItem(QString::number(baud));
   connect_ = described(new QPushButton(tr("Connect")), "sensorConnect",
@@ -299,11 +303,11 @@ void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& t
       break;
     case SensorCondition::stuck:
       note =
-          tr("Stuck: the same force for 10 s. Remove anything pressing on the sensor. If the force stays the "
-             "same, the sensor is defective.");
+          tr("The sensor has reported the same force for 10 s. Remove anything that presses on it. If the "
+             "force stays the same, the sensor is defective.");
       break;
     case SensorCondition::unplugged:
-      note = tr("Unplugged. Resumes when reconnected.");
+      note = tr("The force sensor is unplugged. Detent continues when it is connected again.");
       break;
   }
   if (status.sensor != SensorCondition::none && status.rejectedReadings + status.malformedLines > 0)

@@ -56,7 +56,9 @@ QString ForceBox::stateWords() const {
     case ForceState::starting:
       return tr("Opening the force device…");
     case ForceState::lost:
-      return tr("The force device is disconnected and applies no force. Resumes when reconnected.");
+      return tr(
+          "The force device is disconnected and applies no force. Detent continues when it is connected "
+          "again.");
     case ForceState::failed:
       return tr("No force: %1").arg(session_.trouble());
     case ForceState::on:

@@ -56,10 +56,10 @@ void ForceSetup::addDevice(QFormLayout& form) {
   connect(port_, &QComboBox::currentTextChanged, this, &ForceSetup::take);
   form.addRow(tr("&Port:"), port_);
 
-  firmware_ = described(
-      new QPushButton, "forceFirmware",
-      tr("A Falcon that was just switched on needs the file that came with its driver, 7 to 9 kB; its "
-         "licence forbids us to ship it"));
+  firmware_ =
+      described(new QPushButton, "forceFirmware",
+                tr("Firmware file that came with the Falcon's driver (7 to 9 kB). The Falcon needs it each "
+                   "time it was switched on. Its licence does not allow Detent to include it"));
   connect(firmware_, &QPushButton::clicked, this, &ForceSetup::chooseFirmware);
   form.addRow(tr("Fir&mware:"), firmware_);
 
@@ -80,7 +80,7 @@ void ForceSetup::addLimits(QFormLayout& form) {
   };
   largest_ = field(Quantity::force, "forceLargest", tr("The force never exceeds this value"),
                    {0, strongestDevice_N});
-  largest_->setLowestText(tr("the device's own"));
+  largest_->setLowestText(tr("limit of the device"));
   form.addRow(tr("&Largest force:"), largest_);
   step_ = field(Quantity::length, "forceStep", tr("Encoder step, at the finger"), {0, coarsestStep_mm});
   step_->setLowestText(tr("10 µm"));
@@ -92,7 +92,8 @@ void ForceSetup::addLimits(QFormLayout& form) {
   form.addRow(tr("Travel per t&urn:"), turn_);
   upload_ =
       described(new QCheckBox(tr("Compute the force on the microcontroller, at its own rate")), "forceUpload",
-                tr("The force table is uploaded: there is no USB delay between position and force"));
+                tr("Uploads a table of forces to the microcontroller, so that no USB delay lies between "
+                   "position and force"));
   connect(upload_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), upload_);
   controller_ = described(

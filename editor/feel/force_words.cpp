@@ -35,9 +35,9 @@ QString placeWords(double from_mm, double to_mm, const DisplayUnits& units) {
 QString boundWords(playback::StabilityBound bound) {
   switch (bound) {
     case playback::StabilityBound::damping:
-      return tr("(limited by its damping)");
+      return tr("(limited by the damping of the device)");
     case playback::StabilityBound::quantisation:
-      return tr("(limited by its friction and encoder steps)");
+      return tr("(limited by the friction and the encoder steps of the device)");
     case playback::StabilityBound::device:
       break;
   }
@@ -92,8 +92,8 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
                   .arg(in(remark.value, Quantity::force), in(remark.limit, Quantity::force));
       break;
     case playback::ForceRemarkKind::strokesCross:
-      words = tr("at %2, the release lies up to %1 above the press and would add energy; the device uses the "
-                 "release curve for both there")
+      words = tr("at %2, the release lies up to %1 above the press and would add energy; there, the device "
+                 "uses the release curve for both strokes")
                   .arg(in(remark.value, Quantity::force), at);
       break;
     case playback::ForceRemarkKind::dampingLimited:
@@ -102,7 +102,7 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
       break;
     case playback::ForceRemarkKind::speedsCross:
       words = tr("at %2, the release at one speed lies up to %1 above the press at another and would add "
-                 "energy; there the press follows that release")
+                 "energy; there, the device uses this release curve for the press as well")
                   .arg(in(remark.value, Quantity::force), at);
       break;
     case playback::ForceRemarkKind::speedLimited:
@@ -113,8 +113,8 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
                        in(std::abs(remark.limit), Quantity::damping));
       break;
     case playback::ForceRemarkKind::wideReturn:
-      words = tr("to change from press to release, this device would need %1 of travel; it gets %2 and may "
-                 "vibrate")
+      words = tr("to change from press to release, this device would need %1 of travel; it has only %2, so "
+                 "it may vibrate")
                   .arg(in(2 * remark.value, Quantity::length), in(2 * remark.limit, Quantity::length));
       break;
   }

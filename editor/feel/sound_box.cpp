@@ -53,9 +53,9 @@ QLayout* SoundBox::levelRow() {
   });
   meter_ = described(new LevelMeter, "levelMeter");
   felt_ = described(new QLabel, "feltLevel",
-                    tr("How strong the strongest 10 ms of the last 1.5 s felt, in dB above what a fingertip "
-                       "can just feel. The device profile states how strong the device is; ≈ means that this "
-                       "was not measured (sweep) but assumed."));
+                    tr("Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest "
+                       "vibration that a fingertip feels. It is computed from the strength of the transducer "
+                       "in the device profile. ≈ means that this strength was not measured, but assumed."));
   felt_->setMinimumWidth(
       felt_->fontMetrics().horizontalAdvance(tr("felt %1 dB").arg(QStringLiteral("≈ 100"))));
   felt_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

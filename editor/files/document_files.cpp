@@ -34,7 +34,7 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
   if (!kind) return kind.failure();
   if (*kind == InputKind::page)
     return Failure{FailureCode::wrongUsage, path.toStdString(), "",
-                   Message("is a page to import, not a button"),
+                   Message("this file is a page to import, not a button"),
                    Message("Import the file with File > Import a datasheet")};
   if (*kind == InputKind::curveCsv) {
     auto button = buttonFromCsv(path);

@@ -78,7 +78,7 @@ Result<std::vector<double>> travelsFrom(const QString& text, const ForceGraph& g
     if (!reading.value)
       return Failure{FailureCode::wrongUsage, "", "",
                      refusalOf(reading, Quantity::length, units).toStdString(),
-                     SampledAt::tr("Example: 0.1 (step), or 0; 0.5; 2 (travels)").toStdString()};
+                     SampledAt::tr("Type a step such as 0.1, or travels such as 0; 0.5; 2").toStdString()};
     typed.push_back(*reading.value);
   }
   return typed.size() == 1 ? travelsAtEach(typed.front(), graph) : travelsWithin(std::move(typed), graph);
@@ -93,7 +93,8 @@ Result<Done> exportPng(const QImage& picture, const QString& path) {
   QByteArray png;
   QBuffer buffer(&png);
   if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
-    return Failure{FailureCode::internalFault, path.toStdString(), "", Message("cannot be saved as a PNG"),
+    return Failure{FailureCode::internalFault, path.toStdString(), "",
+                   Message("the picture cannot be saved as a PNG"),
                    Message("Choose a smaller size for the picture")};
   return writeTextFileAtomically(nativePath(path), png.toStdString());
 }
@@ -106,7 +107,7 @@ Result<Done> exportDrawing(QSize size, const QString& path,
   QByteArray bytes;
   QBuffer buffer(&bytes);
   if (!buffer.open(QIODevice::WriteOnly))
-    return Failure{FailureCode::internalFault, path.toStdString(), "", Message("cannot be drawn"),
+    return Failure{FailureCode::internalFault, path.toStdString(), "", Message("the picture cannot be drawn"),
                    Message("Export a PNG instead")};
   if (svg) {
     QSvgGenerator drawing;
@@ -149,8 +150,8 @@ Result<Done> exportDataPackage(const Button& button, const QString& folder) {
   const bool made = std::filesystem::create_directory(path, error);
   if (error)
     return Failure{FailureCode::wrongUsage, folder.toStdString(), "",
-                   Message("cannot be created as a folder: %1", error.message()),
-                   Message("Choose another place or name")};
+                   Message("the folder cannot be created: %1", error.message()),
+                   Message("Choose another folder or another name")};
   auto written = writeDataPackage(button, (path / "datapackage.json").string());
   if (!written && made) std::filesystem::remove(path, error);
   return written;

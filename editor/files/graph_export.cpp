@@ -25,7 +25,7 @@ constexpr double colourDotsPerMm = 300 / 25.4, lineArtDotsPerMm = 600 / 25.4;
 constexpr double mostDots = 16'000;
 
 Failure notDrawn(const QString& path) {
-  return {FailureCode::internalFault, path.toStdString(), "", Message("could not be drawn"),
+  return {FailureCode::internalFault, path.toStdString(), "", Message("the graph could not be drawn"),
           Message("Export an SVG instead")};
 }
 

@@ -59,17 +59,18 @@ bool isForeignJson(const QByteArray& start) {
 Result<InputKind> inputKindOf(const QString& path) {
   const QFileInfo info(path);
   if (!info.exists())
-    return unreadable(path, InputKinds::tr("was not found"),
+    return unreadable(path, InputKinds::tr("the file was not found"),
                       InputKinds::tr("Check the name; the file may have been moved or renamed"));
   if (info.isDir())
-    return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in this folder"));
+    return unreadable(path, InputKinds::tr("this is a folder, not a file"),
+                      InputKinds::tr("Choose a file in this folder"));
   const QString ending = info.suffix().toLower();
   if (ending == "png" && !QImageReader(path).text(buttonInPicture).isEmpty()) return InputKind::button;
   if (pageEndings().contains(ending)) return InputKind::page;
 
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    return unreadable(path, InputKinds::tr("cannot be opened: %1").arg(file.errorString()),
+    return unreadable(path, InputKinds::tr("the file cannot be opened: %1").arg(file.errorString()),
                       InputKinds::tr("Check the permissions of the file"));
   const QByteArray start = file.read(4096);
   if (firstLine(start) == "stroke,displacement_mm,force_N") return InputKind::curveCsv;

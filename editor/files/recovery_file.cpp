@@ -11,7 +11,7 @@ constexpr int recoveryVersion = 1;
 
 Failure broken(const QString& subject, const Message& problem) {
   return {FailureCode::unreadableInput, subject.toStdString(), "", problem,
-          Message("The file was left by a Detent that ended unexpectedly; you can delete it")};
+          Message("Detent wrote this file before it ended unexpectedly; you can delete it")};
 }
 
 }  // namespace
@@ -32,12 +32,13 @@ Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& 
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text), &error);
   if (error.error != QJsonParseError::NoError)
-    return broken(subject, Message("is not a recovery file: %1", error.errorString().toStdString()));
+    return broken(subject, Message("the file is not a recovery file: %1", error.errorString().toStdString()));
   const QJsonObject object = document.object();
   if (object["format"].toString() != "detent-recovery")
-    return broken(subject, Message("is not a recovery file: its format is not detent-recovery"));
+    return broken(subject, Message("the file is not a recovery file: its format is not detent-recovery"));
   if (object["version"].toInt() != recoveryVersion)
-    return broken(subject, Message("has version %1, not 1", object["version"].toInt()));
+    return broken(subject, Message("the recovery file has version %1, but only version 1 can be read",
+                                   object["version"].toInt()));
   auto file = buttonFileFromJson(object["button"].toString().toStdString(), subject.toStdString());
   if (!file) return file.failure();
   return RecoveryRecord{std::move(file->button),

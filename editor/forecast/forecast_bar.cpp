@@ -76,8 +76,8 @@ void ForecastBar::offer(const Found& found, const Button& searched) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (!found) menu->addAction(sentenceOf(found.failure()))->setEnabled(false);
   if (found && found->empty())
-    menu->addAction(tr("No change of snap ratio, travel or force alone, by up to a factor of 4, is certain "
-                       "to make the buttons distinguishable"))
+    menu->addAction(tr("Detent found no such change. Even if the snap ratio, the travel or the force of "
+                       "button A changes by a factor of 4, people may still confuse the buttons"))
         ->setEnabled(false);
   if (found) {
     for (const playback::Suggestion& suggestion : *found)

@@ -27,8 +27,8 @@ ForecastMatrix::ForecastMatrix(QWidget* parent) : QDialog(parent) {
   resize(720, 480);
   auto* title =
       new QLabel(tr("Number of wrong answers predicted if people compare two buttons by feel 90 times. 45 "
-                    "means guessing. With at most 9, people can tell the buttons apart; bold numbers are not "
-                    "certain. Double-click a number to compare the two."));
+                    "means that they guess. 9 or fewer means that they can tell the buttons apart. Bold "
+                    "numbers are not certain. Double-click a number to compare the two buttons."));
   title->setWordWrap(true);
   table_ =
       described(new QTableWidget, "forecastTable", {}, tr("Predicted errors in 90 trials for every pair"));

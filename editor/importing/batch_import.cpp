@@ -128,7 +128,8 @@ void BatchImport::take(QProcess& process, int file) {
   process.deleteLater();
   std::vector<BatchResult> results;
   if (process.exitStatus() == QProcess::NormalExit) results = resultsFrom(process.readAllStandardOutput());
-  if (results.empty()) results = {{{}, {}, 0, {}, tr("The reader crashed or hung on this file.")}};
+  if (results.empty())
+    results = {{{}, {}, 0, {}, tr("The program that reads files crashed on this one, or did not finish.")}};
   --left_;
   emit finished(file, results);
   if (left_ == 0) return emit ended();

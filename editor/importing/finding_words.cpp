@@ -59,19 +59,19 @@ QString instruction(RemedyKind kind) {
 
 /// Questions of the importer, and choices that are words.
 [[maybe_unused]] constexpr const char* questionWords[] = {
-    words("which of the switches"),
-    words("which of the records"),
-    words("the unit of force"),
-    words("the unit of displacement"),
+    words("which switch should be read"),
+    words("which recording should be read"),
+    words("what is the unit of force"),
+    words("what is the unit of displacement"),
     words("which curve is the press"),
-    words("what the columns measure"),
-    words("which columns are displacement and force"),
-    words("which column is the force"),
-    words("which column is the displacement"),
-    words("whether a second column of force is the release"),
+    words("what do the columns measure"),
+    words("which columns hold displacement and force"),
+    words("which column holds the force"),
+    words("which column holds the displacement"),
+    words("does the second column of forces hold the release"),
     words("their mean"),
     words("it is the release"),
-    words("it is another record")};
+    words("it is another recording")};
 
 QString joined(const std::vector<RemedyKind>& corrections) {
   QStringList parts;

@@ -45,7 +45,8 @@ Result<importer::ImportSession> openPasted(const OpenPicture& query) {
   buffer.open(QIODevice::WriteOnly);
   constexpr int fastCompression = 90;
   if (query.picture.isNull() || !query.picture.save(&buffer, "PNG", fastCompression)) {
-    return Failure{FailureCode::unreadableInput, query.name.toStdString(), "", Message("it holds no picture"),
+    return Failure{FailureCode::unreadableInput, query.name.toStdString(), "",
+                   Message("the clipboard holds no picture"),
                    Message("Copy the picture again, or save it to a file and open the file")};
   }
   return importer::ImportSession::fromBytes({png.begin(), png.end()}, query.name.toStdString());

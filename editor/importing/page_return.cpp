@@ -197,9 +197,8 @@ void PageReturn::take(ButtonDocument& document, const Answer& answer, bool chose
   const QString name = QString::fromStdString(provenance->sourceFile);
   if (answer.path.isEmpty()) {
     if (chosen)
-      return emit refused(
-          &document,
-          tr("This is not the datasheet that the button was read from, %1. Choose that file.").arg(name));
+      return emit refused(&document,
+                          tr("The button was read from another datasheet, %1. Choose that file.").arg(name));
     showKept(document);
     return emit missing(&document, name);
   }

@@ -60,8 +60,8 @@ void ResultBox::showChecks(const importer::ImportReport& report, const std::vect
     if (!amongChecks) warnings << QStringLiteral("⚠ ") + inWords(remark, settings_.units());
   }
   for (const Failure& refused : refusedMarks)
-    warnings << QStringLiteral("⚠ ") +
-                    tr("A point you set is left out: %1").arg(sentenceOf(refused, settings_.units()));
+    warnings << QStringLiteral("⚠ ") + tr("One of the points that you set was left out: %1")
+                                           .arg(sentenceOf(refused, settings_.units()));
   checks_->setText(checks.isEmpty() ? QString() : tr("Printed on the page:\n%1").arg(checks.join('\n')));
   checks_->setVisible(!checks.isEmpty());
   warnings_->setText(warnings.join('\n'));

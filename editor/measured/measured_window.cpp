@@ -147,7 +147,8 @@ QWidget* MeasuredWindow::emptyPage() {
                               tr("Read the measurements in a folder and its subfolders"),
                               [this] { askForFolder(); }));
   row->addWidget(actionButton("measuredOpenLibrary", tr("&Open a library…"),
-                              tr("Show a library that detent-import has made"), [this] { askForLibrary(); }));
+                              tr("Show a library file that the command `detent-import library` made"),
+                              [this] { askForLibrary(); }));
   row->addStretch();
   auto* layout = new QVBoxLayout(page);
   layout->addStretch();
@@ -175,8 +176,8 @@ QToolButton* MeasuredWindow::libraryButton() {
   add("measuredIndexAgain", tr("&Read the folders again"),
       tr("Read the folders again, but only files that have changed"), [this] { indexAgain(); });
   auto* pages = described(new QAction(tr("Include &datasheets"), menu), "measuredPages",
-                          tr("Also read force graphs from PDF, SVG and picture files in the folders: some "
-                             "seconds per page, once"));
+                          tr("Also read force graphs from PDF, SVG and picture files in the folders. This "
+                             "takes some seconds per page, but only the first time"));
   pages->setCheckable(true);
   pages->setChecked(context_.settings.value("measured/pages", false).toBool());
   connect(pages, &QAction::toggled, this, [this](bool on) {
@@ -184,8 +185,8 @@ QToolButton* MeasuredWindow::libraryButton() {
     if (on && !folders().isEmpty()) indexAgain();
   });
   menu->addAction(pages);
-  add("measuredOpenOther", tr("&Open another library…"), tr("Show a library that detent-import has made"),
-      [this] { askForLibrary(); });
+  add("measuredOpenOther", tr("&Open another library…"),
+      tr("Show a library file that the command `detent-import library` made"), [this] { askForLibrary(); });
   button->setMenu(menu);
   return button;
 }

@@ -39,7 +39,8 @@ int decimalsOf(KeyFigure figure, const DisplayUnits& units) {
 
 QString titleOf(const importer::LibrarySwitch& entry) {
   QString title = QString::fromStdString(entry.name);
-  if (!entry.unit.empty()) title = Measured::tr("%1, unit %2").arg(title, QString::fromStdString(entry.unit));
+  if (!entry.unit.empty())
+    title = Measured::tr("%1, specimen %2").arg(title, QString::fromStdString(entry.unit));
   if (!entry.run.empty()) title = Measured::tr("%1, run %2").arg(title, QString::fromStdString(entry.run));
   return title;
 }
@@ -99,11 +100,11 @@ QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& un
                      .arg(termOf(figure), figureText(*sd, figure, units), unitWords(figure, units));
   const QString between = figures.join(QStringLiteral(", "));
   if (spread.units > 1)
-    return ' ' + Measured::tr("%1 measurements of %2 units of this switch. Spread: %3.")
+    return ' ' + Measured::tr("%1 measurements of %2 specimens of this switch. Spread: %3.")
                      .arg(spread.records)
                      .arg(spread.units)
                      .arg(between);
-  return ' ' + Measured::tr("%1 measurements of one unit of this switch. Spread: %2.")
+  return ' ' + Measured::tr("%1 measurements of one specimen of this switch. Spread: %2.")
                    .arg(spread.records)
                    .arg(between);
 }

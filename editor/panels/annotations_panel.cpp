@@ -71,7 +71,7 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
           new QLineEdit, "versionName",
           tr("Name under which the present state of the button is kept. Press Enter to add the version."),
           tr("Name of the version"))),
-      oneEnd_(described(new QCheckBox(tr("Keep all strokes e&nding at the same travel")), "linkOneEnd",
+      oneEnd_(described(new QCheckBox(tr("All strokes e&nd at the same travel")), "linkOneEnd",
                         tr("Moving the end of one stroke also moves the ends of all strokes in all states"))),
       releaseFollows_(
           described(new QCheckBox(tr("&Release follows press, lower by")), "linkRelease",

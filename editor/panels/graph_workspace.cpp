@@ -120,8 +120,8 @@ QWidget* GraphWorkspace::makeBar() {
   statesLabel_->setBuddy(states_);
   speedsLabel_ = new QLabel(tr("Sp&eed"));
   speeds_ = described(new QComboBox, "speedSwitcher",
-                      tr("Speed whose graph you edit; it is also used where the speed is not known. Graphs "
-                         "of other speeds are drawn thin."),
+                      tr("Speed of the graph that you edit. This graph is also used where the speed of a "
+                         "press is not known. Graphs of other speeds are drawn thin."),
                       tr("Speed of the graph"));
   speedsLabel_->setBuddy(speeds_);
   underlayLabel_ = new QLabel(tr("&Page"));

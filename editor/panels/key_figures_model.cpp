@@ -398,7 +398,7 @@ QString KeyFiguresModel::absenceOf(const QModelIndex& index) const {
       return tr("No reset point is set. Set it in Edit > Curve > Operating and reset point (Ctrl+Shift+O).");
     case differentialTravel:
       return tr(
-          "Needs an operating point and a reset point: Edit > Curve > Operating and reset point "
+          "This figure needs an operating point and a reset point: Edit > Curve > Operating and reset point "
           "(Ctrl+Shift+O).");
     case hysteresis:
       return tr("The button has no release curve. Add one with Edit > Curve > Mirror press to release.");

@@ -208,7 +208,8 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Horizontal && role == Qt::ToolTipRole) {
     if (section == slopeBefore) return tr("Slope left of the curve point");
-    if (section == slopeAfter) return tr("Slope right of the curve point; of a section, from end to end");
+    if (section == slopeAfter)
+      return tr("Slope right of the curve point. For a section: mean slope from its start to its end");
   }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   const DisplayUnits& units = settings_.units();

@@ -147,7 +147,7 @@ QLayout* ExperimenterDialog::nextForm() {
   headphones_ = described(new QLineEdit, "studyHeadphones",
                           tr("Sound device of the headphones that play rain noise; turn up the volume until "
                              "the vibration is inaudible"));
-  headphones_->setPlaceholderText(tr("on the channels after those of the vibration"));
+  headphones_->setPlaceholderText(tr("the sound device of the vibration, on its next channels"));
   sensor_ = comboBoxOfNames(
       "studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's device "
                         "profile. If empty, participants press with keys or large on-screen buttons"));
@@ -372,21 +372,21 @@ void ExperimenterDialog::showProgress(const StudyProgress& progress) {
   const auto words = [&] {
     switch (progress.at) {
       case StudyProgress::At::consent:
-        return tr("reads the consent text");
+        return tr("reading the consent text");
       case StudyProgress::At::words:
-        return tr("reads the instructions");
+        return tr("reading the instructions");
       case StudyProgress::At::question:
-        return tr("is answering a question");
+        return tr("answering a question");
       case StudyProgress::At::rest:
-        return tr("is resting");
+        return tr("resting");
       case StudyProgress::At::pause:
-        return tr("pauses");
+        return tr("pausing");
       case StudyProgress::At::trouble:
-        return tr("waits for you: a device was disconnected");
+        return tr("waiting for you: a device was disconnected");
       case StudyProgress::At::end:
         break;
     }
-    return tr("is done and waits for you");
+    return tr("finished, waiting for you");
   };
   progress_->setText(tr("%1: %2 of %3 answered; %4")
                          .arg(atWork_)

@@ -116,15 +116,18 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
 
 QLayout* StudyMaker::designForm() {
   kind_ = comboBox("makerKind", tr("The participants' task"));
-  addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
-  addChoice(kind_, tr("Are the two the same?"), static_cast<int>(playback::StudyKind::sameDifferent));
-  addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
-  addChoice(kind_, tr("Which of two has more? (threshold)"),
+  addChoice(kind_, tr("Which of two buttons is X? (ABX)"), static_cast<int>(playback::StudyKind::abx));
+  addChoice(kind_, tr("Are two buttons the same? (same or different)"),
+            static_cast<int>(playback::StudyKind::sameDifferent));
+  addChoice(kind_, tr("Which of all buttons is X? (matching)"),
+            static_cast<int>(playback::StudyKind::matching));
+  addChoice(kind_, tr("Which of two buttons has more of a quantity? (threshold)"),
             static_cast<int>(playback::StudyKind::threshold));
-  addChoice(kind_, tr("How is it? (rating)"), static_cast<int>(playback::StudyKind::rating));
-  addChoice(kind_, tr("When is it pressed? (timing)"), static_cast<int>(playback::StudyKind::timing));
-  quantity_ =
-      comboBox("makerQuantity", tr("Quantity that is increased. The study adapts the amount to the answers"));
+  addChoice(kind_, tr("How does a button feel? (rating)"), static_cast<int>(playback::StudyKind::rating));
+  addChoice(kind_, tr("When do participants press? (timing)"), static_cast<int>(playback::StudyKind::timing));
+  quantity_ = comboBox(
+      "makerQuantity",
+      tr("One of the two buttons has more of this quantity. The study adapts the difference to the answers"));
   for (const auto& [text, quantity] :
        {std::pair{tr("force"), playback::LevelQuantity::peakForce},
         std::pair{tr("strength of the click"), playback::LevelQuantity::eventSize},
@@ -161,19 +164,19 @@ QLayout* StudyMaker::designForm() {
   form_ = new QFormLayout;
   QFormLayout* const form = form_;
   form->addRow(tr("&Task:"), kind_);
-  form->addRow(tr("Mo&re of:"), quantity_);
+  form->addRow(tr("Inc&reased quantity:"), quantity_);
   form->addRow(tr("&Scale:"), scale_);
   form->addRow(tr("Press:"), task_);
-  form->addRow(tr("Inter&vals, s:"), intervals_);
-  form->addRow(tr("&Windows, s:"), windows_);
+  form->addRow(tr("Inter&vals in s:"), intervals_);
+  form->addRow(tr("Time &windows in s:"), windows_);
   form->addRow(tr("Seconds per r&un:"), run_s_);
   form->addRow(tr("&Questions per condition:"), trials_);
   form->addRow(tr("&Practice:"), practice_);
   form->addRow(tr("Feedback:"), rowOf({full_, clicks_, slopes_}));
   form->addRow(tr("Soun&d:"), sound_);
   form->addRow(tr("Recordin&g:"), recordingRow());
-  form->addRow(tr("&Level, dB:"), soundLevel_dB_);
-  form->addRow(tr("Dela&y, ms:"), soundDelay_ms_);
+  form->addRow(tr("Sound &level in dB:"), soundLevel_dB_);
+  form->addRow(tr("Sound dela&y in ms:"), soundDelay_ms_);
   form->addRow(tr("Device profile:"),
                new QLabel(profileFile_.isEmpty() ? tr("none (choose it in the Feel panel under Setup)")
                                                  : QFileInfo(profileFile_).fileName()));
@@ -189,16 +192,17 @@ void StudyMaker::makeTimingFields() {
   const playback::StudyDesign usual;
   task_ = comboBox("makerTask", tr("When or how fast participants press the button"));
   addChoice(task_, tr("with the last of four beats"), static_cast<int>(playback::TimingTask::cue));
-  addChoice(task_, tr("while a ball is in its window"), static_cast<int>(playback::TimingTask::window));
+  addChoice(task_, tr("while a ball is between two bars"), static_cast<int>(playback::TimingTask::window));
   addChoice(task_, tr("as fast as can be kept up"), static_cast<int>(playback::TimingTask::tapping));
   intervals_ =
       numbersField("makerIntervals", usual.intervals_s,
-                   tr("Time between beats, or from the ball's start to its window, %1 to %2 s. Separate "
-                      "several with semicolons")
+                   tr("Time between beats, or from the ball's start until it reaches the bars, %1 to %2 s. "
+                      "Separate several with semicolons")
                        .arg(numberText(playback::leastInterval_s), numberText(playback::mostInterval_s)));
-  windows_ = numbersField("makerWindows", usual.windows_s,
-                          tr("How long the window is open, %1 to %2 s. Separate several with semicolons")
-                              .arg(numberText(playback::leastWindow_s), numberText(playback::mostWindow_s)));
+  windows_ = numbersField(
+      "makerWindows", usual.windows_s,
+      tr("Time for which the ball is between the bars, %1 to %2 s. Separate several with semicolons")
+          .arg(numberText(playback::leastWindow_s), numberText(playback::mostWindow_s)));
   run_s_ = described(new QuantityField(Quantity::number, {}), "makerRun",
                      tr("Seconds from the first press, %1 to %2")
                          .arg(numberText(playback::shortestRun_s), numberText(playback::longestRun_s)));
@@ -276,8 +280,8 @@ void StudyMaker::kindChosen() {
 }
 
 QLayout* StudyMaker::folderRow() {
-  folder_ =
-      described(new QLineEdit, "makerFolder", tr("A new folder; it holds the whole study and can be copied"));
+  folder_ = described(new QLineEdit, "makerFolder",
+                      tr("New folder that will hold the whole study. It can be copied to another computer"));
   auto* browse =
       described(new QPushButton(tr("&Choose…")), "makerBrowse", tr("Choose where to create the folder"));
   auto* label = new QLabel(tr("&Folder:"));

@@ -320,7 +320,7 @@ void StudyWindow::showIntroduction() {
 /// question, or the end.
 void StudyWindow::showNext() {
   const playback::Trial* trial = work_.session->trial();
-  if (trial == nullptr) return showEnd(words("That was the last one. Thank you."));
+  if (trial == nullptr) return showEnd(words("That was the last question. Thank you."));
   if (trial->number == restedBefore_) return showTrial();
   const bool first = trial->number == work_.study->design.practice + 1;
   if (first && trial->number > 1) {

@@ -108,7 +108,7 @@ Result<Button> pasteStretch(const Button& button, std::size_t state, const Graph
     if (!stretch.release.empty()) {
       if (!release)
         return Failure{FailureCode::wrongUsage, "force graph", "",
-                       Message("has no release curve to paste into"),
+                       Message("the graph has no release curve to paste into"),
                        Message("Create a release first: Edit > Curve > Mirror press to release")};
       auto put = putStretch(*release, stretch.release);
       if (!put) return put.failure();

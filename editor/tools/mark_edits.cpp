@@ -27,7 +27,8 @@ Result<Button> editCurve(const Button& button, std::size_t state, Stroke stroke,
 Result<double> slopeTowards(const Knot& knot, MarkKind side, CurvePoint to) {
   const double away_mm = to.displacement_mm - knot.displacement_mm;
   if (side == MarkKind::slopeBefore ? away_mm < 0 : away_mm > 0) return (to.force_N - knot.force_N) / away_mm;
-  return markRefusal(Message("slope handle"), Message("would point to the other side of its curve point"),
+  return markRefusal(Message("slope handle"),
+                     Message("the handle would move to the other side of its curve point"),
                      side == MarkKind::slopeBefore ? Message("Keep the handle left of the curve point")
                                                    : Message("Keep the handle right of the curve point"));
 }
@@ -87,7 +88,7 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
     return markRefusal(Message("piece between curve points %1 and %2", right, right + 1), std::move(problem),
                        Message("Add a curve point there (K) and move the new point"));
   };
-  if (!(width_mm > 0)) return cannot(Message("is vertical"));
+  if (!(width_mm > 0)) return cannot(Message("this piece is vertical"));
   double share = (at_mm - from.displacement_mm) / width_mm;
   // the grabbed point lies on a knot, as the middle of a section may
   if (!(share > 0 && share < 1)) share = 0.5;
@@ -104,12 +105,13 @@ Result<StrokeCurve> bendSegment(const StrokeCurve& curve, double at_mm, double b
   std::array<BentSlope, 2> slopes{
       range(from.slopeAfter_N_per_mm, width_mm * share * (1 - share) * (1 - share)),
       range(to.slopeBefore_N_per_mm, -width_mm * share * share * (1 - share))};
-  if (!bend(slopes, by_N)) return cannot(Message("would get an extra peak or valley"));
+  if (!bend(slopes, by_N)) return cannot(Message("this piece would get an extra peak or valley"));
   from.slopeAfter_N_per_mm = slopes[0].slope;
   to.slopeBefore_N_per_mm = slopes[1].slope;
   auto bent = StrokeCurve::fromKnots(std::move(knots));
   if (!bent) return bent;
-  if (turnsOf(*bent) != turnsOf(curve)) return cannot(Message("would get an extra peak or valley"));
+  if (turnsOf(*bent) != turnsOf(curve))
+    return cannot(Message("this piece would get an extra peak or valley"));
   return bent;
 }
 
@@ -182,7 +184,7 @@ Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark) 
       return editCurve(button, state, mark.stroke,
                        [&](const StrokeCurve& curve) { return removeKnot(curve, mark.index); });
     default:
-      return markRefusal(nameOf(mark).toStdString(), Message("cannot be removed on its own"),
+      return markRefusal(nameOf(mark).toStdString(), Message("this element cannot be removed on its own"),
                          Message("Select a curve point, a tactile point, or the operating or reset point"));
   }
 }

@@ -26,7 +26,7 @@ using KnotsEdit = std::function<Result<StrokeCurve>(const StrokeCurve&, const st
 Result<StrokeCurve> editThese(const StrokeCurve& curve, const std::vector<std::size_t>& knots,
                               const KnotsEdit& edit) {
   if (knots.back() >= curve.knots().size())
-    return selectionRefusal(Message("names a curve point that does not exist"),
+    return selectionRefusal(Message("one of the selected curve points no longer exists"),
                             Message("Select the points again"));
   return edit(curve, knots);
 }
@@ -158,11 +158,12 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
   const auto last =
       std::find_if(marks.rbegin(), marks.rend(), [](MarkId m) { return m.kind == MarkKind::knot; });
   if (last == marks.rend() || marks.size() < 2)
-    return selectionRefusal(Message("has fewer than two curve points"),
-                            Message("Select two or more points; all align with the last one"));
+    return selectionRefusal(
+        Message("fewer than two curve points are selected"),
+        Message("Select two or more curve points; the others are aligned with the last one"));
   const StrokeCurve& of = button.states()[state].graph.curve(last->stroke);
   if (last->index >= of.knots().size())
-    return selectionRefusal(Message("names a curve point that does not exist"),
+    return selectionRefusal(Message("one of the selected curve points no longer exists"),
                             Message("Select the points again"));
   const double level = partOf(placeOf(of, last->index), direction);
   return editKnots(button, state, marks,
@@ -177,7 +178,7 @@ Result<Button> alignSelection(const Button& button, std::size_t state, const std
 Result<Button> distributeSelection(const Button& button, std::size_t state, const std::vector<MarkId>& marks,
                                    GraphDirection direction) {
   if (knotsOf(marks, Stroke::press).size() < 3 && knotsOf(marks, Stroke::release).size() < 3)
-    return selectionRefusal(Message("has fewer than three curve points of one stroke"),
+    return selectionRefusal(Message("fewer than three curve points of one stroke are selected"),
                             Message("Select three or more points; the outer two stay in place"));
   return editKnots(
       button, state, marks,

@@ -328,24 +328,12 @@
 <context>
     <name>InputKinds</name>
     <message>
-        <source>was not found</source>
-        <translation>wurde nicht gefunden</translation>
-    </message>
-    <message>
         <source>Check the name; the file may have been moved or renamed</source>
         <translation>Prüfen Sie den Namen; die Datei wurde vielleicht verschoben oder umbenannt</translation>
     </message>
     <message>
-        <source>is a folder</source>
-        <translation>ist ein Ordner</translation>
-    </message>
-    <message>
         <source>Choose a file in this folder</source>
         <translation>Wählen Sie eine Datei in diesem Ordner</translation>
-    </message>
-    <message>
-        <source>cannot be opened: %1</source>
-        <translation>lässt sich nicht öffnen: %1</translation>
     </message>
     <message>
         <source>Check the permissions of the file</source>
@@ -375,6 +363,18 @@
         <source>Datasheets, pictures and force meters&apos; logs</source>
         <translation>Datenblätter, Bilder und Protokolle von Kraftmessgeräten</translation>
     </message>
+    <message>
+        <source>the file was not found</source>
+        <translation>die Datei wurde nicht gefunden</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>dies ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened: %1</source>
+        <translation>die Datei lässt sich nicht öffnen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Measured</name>
@@ -385,14 +385,6 @@
     <message>
         <source>%1 ± %2 %3</source>
         <translation>%1 ± %2 %3</translation>
-    </message>
-    <message>
-        <source>%1 measurements of %2 units of this switch. Spread: %3.</source>
-        <translation>%1 Messungen von %2 Exemplaren dieses Schalters. Streuung: %3.</translation>
-    </message>
-    <message>
-        <source>%1 measurements of one unit of this switch. Spread: %2.</source>
-        <translation>%1 Messungen eines Exemplars dieses Schalters. Streuung: %2.</translation>
     </message>
     <message>
         <source>Rated by %1 (licence: %2).</source>
@@ -409,10 +401,6 @@ Licence: %3</source>
         <translation>%1
 Urheber: %2
 Lizenz: %3</translation>
-    </message>
-    <message>
-        <source>%1, unit %2</source>
-        <translation>%1, Exemplar %2</translation>
     </message>
     <message>
         <source>%1, run %2</source>
@@ -441,6 +429,18 @@ Lizenz: %3</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1, specimen %2</source>
+        <translation>%1, Exemplar %2</translation>
+    </message>
+    <message>
+        <source>%1 measurements of %2 specimens of this switch. Spread: %3.</source>
+        <translation>%1 Messungen von %2 Exemplaren dieses Schalters. Streuung: %3.</translation>
+    </message>
+    <message>
+        <source>%1 measurements of one specimen of this switch. Spread: %2.</source>
+        <translation>%1 Messungen eines Exemplars dieses Schalters. Streuung: %2.</translation>
     </message>
 </context>
 <context>
@@ -556,8 +556,8 @@ Lizenz: %3</translation>
 <context>
     <name>SampledAt</name>
     <message>
-        <source>Example: 0.1 (step), or 0; 0.5; 2 (travels)</source>
-        <translation>Beispiel: 0,1 (Schritt) oder 0; 0,5; 2 (Wege)</translation>
+        <source>Type a step such as 0.1, or travels such as 0; 0.5; 2</source>
+        <translation>Geben Sie einen Schritt wie 0,1 oder Wege wie 0; 0,5; 2 ein</translation>
     </message>
 </context>
 <context>
@@ -653,18 +653,6 @@ Lizenz: %3</translation>
         <translation>Geben Sie 0 an, wo es keine Dämpfung gibt</translation>
     </message>
     <message>
-        <source>displacement %1 does not increase</source>
-        <translation>der Weg %1 nimmt nicht zu</translation>
-    </message>
-    <message>
-        <source>Order damping points by increasing displacement</source>
-        <translation>Ordnen Sie Dämpfungspunkte nach zunehmendem Weg</translation>
-    </message>
-    <message>
-        <source>has the same name as state %1</source>
-        <translation>hat denselben Namen wie Zustand %1</translation>
-    </message>
-    <message>
         <source>Give each state its own name</source>
         <translation>Geben Sie jedem Zustand seinen eigenen Namen</translation>
     </message>
@@ -709,10 +697,6 @@ Lizenz: %3</translation>
         <translation>Geben Sie einen Faktor wie 1,1 an</translation>
     </message>
     <message>
-        <source>has no state %1</source>
-        <translation>hat keinen Zustand %1</translation>
-    </message>
-    <message>
         <source>Choose one of the states of the button</source>
         <translation>Wählen Sie einen der Zustände des Tasters</translation>
     </message>
@@ -721,44 +705,20 @@ Lizenz: %3</translation>
         <translation>Rückwegkurve</translation>
     </message>
     <message>
-        <source>does not exist</source>
-        <translation>gibt es nicht</translation>
-    </message>
-    <message>
-        <source>Create a release curve first: mirror the press curve</source>
-        <translation>Erzeugen Sie zuerst einen Rückweg: Spiegeln Sie die Hinwegkurve</translation>
-    </message>
-    <message>
         <source>hysteresis</source>
         <translation>Hysterese</translation>
-    </message>
-    <message>
-        <source>is not a number of 0 or more</source>
-        <translation>ist keine Zahl ab 0</translation>
     </message>
     <message>
         <source>Give a force in N, 0 for none</source>
         <translation>Geben Sie eine Kraft in N an, 0 für keine</translation>
     </message>
     <message>
-        <source>has two states already</source>
-        <translation>hat schon zwei Zustände</translation>
-    </message>
-    <message>
         <source>Remove one of the states first</source>
         <translation>Entfernen Sie zuerst einen der Zustände</translation>
     </message>
     <message>
-        <source>has only this state</source>
-        <translation>hat nur diesen Zustand</translation>
-    </message>
-    <message>
         <source>Add a second state first</source>
         <translation>Fügen Sie zuerst einen zweiten Zustand hinzu</translation>
-    </message>
-    <message>
-        <source>has no point %1, only %2 points</source>
-        <translation>hat keinen Kurvenpunkt %1, nur %2 Kurvenpunkte</translation>
     </message>
     <message>
         <source>Choose one of the points of the curve</source>
@@ -769,80 +729,40 @@ Lizenz: %3</translation>
         <translation>Kurvenpunkt %1</translation>
     </message>
     <message>
-        <source>cannot move to %1: its neighbour is at %2</source>
-        <translation>lässt sich nicht nach %1 verschieben: Der Nachbar liegt bei %2</translation>
-    </message>
-    <message>
         <source>Keep the point between its neighbours, or remove the neighbour first</source>
         <translation>Lassen Sie den Punkt zwischen seinen Nachbarn, oder entfernen Sie zuerst den Nachbarn</translation>
-    </message>
-    <message>
-        <source>has no place for a point at %1: it runs from %2 to %3</source>
-        <translation>hat bei %1 keinen Platz für einen Punkt: Sie reicht von %2 bis %3</translation>
     </message>
     <message>
         <source>Choose a displacement between the ends of the curve</source>
         <translation>Wählen Sie einen Weg zwischen den Enden der Kurve</translation>
     </message>
     <message>
-        <source>is already at %1</source>
-        <translation>ist schon bei %1</translation>
-    </message>
-    <message>
         <source>Move that curve point instead</source>
         <translation>Verschieben Sie stattdessen diesen Kurvenpunkt</translation>
-    </message>
-    <message>
-        <source>cannot be removed: a curve needs 2 points</source>
-        <translation>lässt sich nicht entfernen: Eine Kurve braucht 2 Punkte</translation>
     </message>
     <message>
         <source>Move the point instead</source>
         <translation>Verschieben Sie den Punkt stattdessen</translation>
     </message>
     <message>
-        <source>would be at %1, before curve point %2 at %3</source>
-        <translation>stünde bei %1, vor Kurvenpunkt %2 bei %3</translation>
-    </message>
-    <message>
         <source>Keep the points in their order, or select fewer points</source>
         <translation>Lassen Sie die Punkte in ihrer Reihenfolge, oder wählen Sie weniger Punkte aus</translation>
-    </message>
-    <message>
-        <source>%1 points cannot be removed: a curve needs 2 points</source>
-        <translation>%1 Punkte lassen sich nicht entfernen: Eine Kurve braucht 2 Punkte</translation>
     </message>
     <message>
         <source>Keep at least two points</source>
         <translation>Lassen Sie mindestens zwei Punkte stehen</translation>
     </message>
     <message>
-        <source>has no part from %1 to %2</source>
-        <translation>hat keinen Teil von %1 bis %2</translation>
-    </message>
-    <message>
         <source>Choose two places on the curve, the first one before the second</source>
         <translation>Wählen Sie zwei Orte auf der Kurve, den ersten vor dem zweiten</translation>
-    </message>
-    <message>
-        <source>gets no points</source>
-        <translation>bekommt keine Punkte</translation>
     </message>
     <message>
         <source>Give one point or more</source>
         <translation>Geben Sie mindestens einen Punkt an</translation>
     </message>
     <message>
-        <source>cannot move to %1: it must stay between %2 and %3</source>
-        <translation>lässt sich nicht nach %1 verschieben: Er muss zwischen %2 und %3 bleiben</translation>
-    </message>
-    <message>
         <source>Keep the point between the neighbouring peaks and valleys</source>
         <translation>Lassen Sie den Punkt zwischen den benachbarten Spitzen und Tälern</translation>
-    </message>
-    <message>
-        <source>would no longer be a peak or valley at %1: the curve beside it ends at %2</source>
-        <translation>wäre bei %1 keine Spitze und kein Tal mehr: Die Kurve daneben endet bei %2</translation>
     </message>
     <message>
         <source>Keep the force of the point above this value</source>
@@ -853,16 +773,8 @@ Lizenz: %3</translation>
         <translation>Halten Sie die Kraft des Punkts unter diesem Wert</translation>
     </message>
     <message>
-        <source>has no tactile point %1, only %2</source>
-        <translation>hat keinen Druckpunkt %1, nur %2</translation>
-    </message>
-    <message>
         <source>Choose one of the tactile points of the curve</source>
         <translation>Wählen Sie einen der Druckpunkte der Kurve</translation>
-    </message>
-    <message>
-        <source>cannot move by %1: the neighbouring section ends at %2</source>
-        <translation>lässt sich nicht um %1 verschieben: Der Abschnitt daneben endet bei %2</translation>
     </message>
     <message>
         <source>Move the section by less</source>
@@ -873,24 +785,12 @@ Lizenz: %3</translation>
         <translation>neuer Sprung</translation>
     </message>
     <message>
-        <source>has width %1 and drop %2</source>
-        <translation>hat die Breite %1 und den Abfall %2</translation>
-    </message>
-    <message>
         <source>Give width and drop as numbers above 0</source>
         <translation>Geben Sie Breite und Abfall als Zahlen über 0 an</translation>
     </message>
     <message>
-        <source>from %1 to %2 leaves the curve, which runs from %3 to %4</source>
-        <translation>von %1 bis %2 reicht über die Kurve hinaus, die von %3 bis %4 geht</translation>
-    </message>
-    <message>
         <source>Make the jump narrower, or move it inward</source>
         <translation>Machen Sie den Sprung schmaler, oder rücken Sie ihn nach innen</translation>
-    </message>
-    <message>
-        <source>starts at %1, where the force does not rise</source>
-        <translation>beginnt bei %1, wo die Kraft nicht steigt</translation>
     </message>
     <message>
         <source>Start the jump where the force rises, so that its start becomes a tactile point</source>
@@ -901,24 +801,12 @@ Lizenz: %3</translation>
         <translation>Druckpunkt %1</translation>
     </message>
     <message>
-        <source>is neither a peak nor a valley of the curve</source>
-        <translation>ist weder Spitze noch Tal der Kurve</translation>
-    </message>
-    <message>
         <source>Choose a peak or a valley</source>
         <translation>Wählen Sie eine Spitze oder ein Tal</translation>
     </message>
     <message>
-        <source>cannot have a snap ratio of %1</source>
-        <translation>kann kein Schnappverhältnis von %1 haben</translation>
-    </message>
-    <message>
         <source>Give a ratio above 0</source>
         <translation>Geben Sie ein Verhältnis über 0 an</translation>
-    </message>
-    <message>
-        <source>has no valley after it</source>
-        <translation>hat kein Tal danach</translation>
     </message>
     <message>
         <source>Add a valley, or raise the end of the stroke above the tactile point</source>
@@ -929,10 +817,6 @@ Lizenz: %3</translation>
         <translation>Tal nach %1</translation>
     </message>
     <message>
-        <source>has no section %1, only %2</source>
-        <translation>hat keinen Abschnitt %1, nur %2</translation>
-    </message>
-    <message>
         <source>Choose one of the sections of the curve</source>
         <translation>Wählen Sie einen der Abschnitte der Kurve</translation>
     </message>
@@ -941,24 +825,8 @@ Lizenz: %3</translation>
         <translation>Abschnitt %1</translation>
     </message>
     <message>
-        <source>cannot move by this distance: it is not a usable number</source>
-        <translation>lässt sich nicht um diesen Betrag verschieben: Er ist keine brauchbare Zahl</translation>
-    </message>
-    <message>
-        <source>Give usable numbers as distances</source>
-        <translation>Geben Sie brauchbare Zahlen als Abstände an</translation>
-    </message>
-    <message>
-        <source>cannot return to the curve: the force there is %1, in the valley %2</source>
-        <translation>kann nicht zur Kurve zurückkehren: Dort ist die Kraft %1, im Tal %2</translation>
-    </message>
-    <message>
         <source>Make the drop larger or the jump narrower</source>
         <translation>Machen Sie den Abfall größer oder den Sprung schmaler</translation>
-    </message>
-    <message>
-        <source>has %1 codes for %2 warnings</source>
-        <translation>hat %1 Codes zu %2 Warnungen</translation>
     </message>
     <message>
         <source>release rows, point %1</source>
@@ -993,44 +861,20 @@ Lizenz: %3</translation>
         <translation>Prüfen Sie die Einheit der Wegachse</translation>
     </message>
     <message>
-        <source>covers %1 to %2, but the press curve covers %3 to %4</source>
-        <translation>reicht von %1 bis %2, die Hinwegkurve aber von %3 bis %4</translation>
-    </message>
-    <message>
         <source>Measure the displacement of both strokes from the same zero</source>
         <translation>Messen Sie den Weg beider Hübe vom selben Nullpunkt aus</translation>
-    </message>
-    <message>
-        <source>at %1 goes back behind the previous point at %2</source>
-        <translation>geht bei %1 hinter den vorigen Punkt bei %2 zurück</translation>
-    </message>
-    <message>
-        <source>reverses its direction inside a vertical rise at %1</source>
-        <translation>kehrt bei %1 in einem senkrechten Anstieg die Richtung um</translation>
     </message>
     <message>
         <source>point %1</source>
         <translation>Punkt %1</translation>
     </message>
     <message>
-        <source>cannot be written: %1</source>
-        <translation>lässt sich nicht schreiben: %1</translation>
-    </message>
-    <message>
         <source>Give every curve point usable numbers</source>
         <translation>Geben Sie jedem Kurvenpunkt brauchbare Zahlen</translation>
     </message>
     <message>
-        <source>displacement %1 lies before that of the previous point, %2</source>
-        <translation>der Weg %1 liegt vor dem des vorigen Punkts, %2</translation>
-    </message>
-    <message>
         <source>Sort the points by increasing displacement</source>
         <translation>Ordnen Sie die Punkte nach zunehmendem Weg</translation>
-    </message>
-    <message>
-        <source>is the third point at displacement %1</source>
-        <translation>ist der dritte Punkt beim Weg %1</translation>
     </message>
     <message>
         <source>At one displacement, keep at most two points: the ends of a vertical piece</source>
@@ -1041,44 +885,20 @@ Lizenz: %3</translation>
         <translation>Stück %1</translation>
     </message>
     <message>
-        <source>is too steep for its slope to be computed</source>
-        <translation>ist zu steil, um die Steigung zu berechnen</translation>
-    </message>
-    <message>
         <source>Make the piece vertical (equal displacements) or less steep</source>
         <translation>Machen Sie das Stück senkrecht (gleiche Wege) oder weniger steil</translation>
-    </message>
-    <message>
-        <source>does not exist: there are only %1 pieces</source>
-        <translation>gibt es nicht: Es sind nur %1 Stücke</translation>
     </message>
     <message>
         <source>Name one of these pieces</source>
         <translation>Nennen Sie eines dieser Stücke</translation>
     </message>
     <message>
-        <source>has %1 bytes; the limit is %2</source>
-        <translation>hat %1 Bytes; die Grenze ist %2</translation>
-    </message>
-    <message>
-        <source>has %1 numbers, not nine</source>
-        <translation>hat %1 Zahlen, nicht neun</translation>
-    </message>
-    <message>
         <source>line %1, column %2</source>
         <translation>Zeile %1, Spalte %2</translation>
     </message>
     <message>
-        <source>is not valid JSON: %1</source>
-        <translation>ist kein gültiges JSON: %1</translation>
-    </message>
-    <message>
         <source>Correct the file at this place, or export the button again</source>
         <translation>Berichtigen Sie die Datei an dieser Stelle, oder exportieren Sie den Taster noch einmal</translation>
-    </message>
-    <message>
-        <source>is not &quot;detent-button&quot;</source>
-        <translation>ist nicht „detent-button“</translation>
     </message>
     <message>
         <source>Give a *.button.json written by Detent</source>
@@ -1089,16 +909,8 @@ Lizenz: %3</translation>
         <translation>Version</translation>
     </message>
     <message>
-        <source>is missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
         <source>Add &quot;version&quot;: %1</source>
         <translation>Ergänzen Sie &quot;version&quot;: %1</translation>
-    </message>
-    <message>
-        <source>is %1; this program reads versions up to %2</source>
-        <translation>ist %1; dieses Programm liest Versionen bis %2</translation>
     </message>
     <message>
         <source>Update Detent to open this file</source>
@@ -1221,10 +1033,6 @@ Lizenz: %3</translation>
         <translation>würde die Kraft negativ, und der Taster würde ziehen</translation>
     </message>
     <message>
-        <source>another tactile point would become the main one</source>
-        <translation>würde ein anderer Druckpunkt zum wichtigsten</translation>
-    </message>
-    <message>
         <source>the operating or the reset point would leave its stroke</source>
         <translation>läge der Schaltpunkt oder der Rückschaltpunkt nicht mehr auf seiner Kurve</translation>
     </message>
@@ -1281,20 +1089,12 @@ Lizenz: %3</translation>
         <translation>Entfernen oder entsperren Sie eines der beiden, oder geben Sie ihm einen anderen Wert</translation>
     </message>
     <message>
-        <source>these contradict each other: %1; %2; %3</source>
-        <translation>Diese widersprechen einander: %1; %2; %3</translation>
-    </message>
-    <message>
         <source>Remove or unlock one of them, or give it another value</source>
         <translation>Entfernen oder entsperren Sie eines davon, oder geben Sie ihm einen anderen Wert</translation>
     </message>
     <message>
         <source>the button has no key figure of this kind: %1</source>
         <translation>Der Taster hat keine solche Kennzahl: %1</translation>
-    </message>
-    <message>
-        <source>First add to the curve what the key figure measures</source>
-        <translation>Ergänzen Sie zuerst an der Kurve das Merkmal, das diese Kennzahl misst</translation>
     </message>
     <message>
         <source>the share is %1</source>
@@ -1309,16 +1109,8 @@ Lizenz: %3</translation>
         <translation>Rückweg</translation>
     </message>
     <message>
-        <source>would no longer end where the other strokes end</source>
-        <translation>würde nicht mehr dort enden, wo die übrigen Hübe enden</translation>
-    </message>
-    <message>
         <source>Move only one end, or remove the link between the ends</source>
         <translation>Bewegen Sie nur ein Ende, oder heben Sie die Kopplung der Enden auf</translation>
-    </message>
-    <message>
-        <source>would leave its locked point at %1</source>
-        <translation>würde den gesperrten Punkt bei %1 verlassen</translation>
     </message>
     <message>
         <source>Unlock the point, or move something else</source>
@@ -1343,10 +1135,6 @@ Lizenz: %3</translation>
     <message>
         <source>links</source>
         <translation>Verknüpfungen</translation>
-    </message>
-    <message>
-        <source>units</source>
-        <translation>Exemplare</translation>
     </message>
     <message>
         <source>points</source>
@@ -1433,28 +1221,8 @@ Lizenz: %3</translation>
         <translation>Punktabstand</translation>
     </message>
     <message>
-        <source>there are none</source>
-        <translation>es gibt keine</translation>
-    </message>
-    <message>
-        <source>Give one or more</source>
-        <translation>Einen oder mehrere angeben</translation>
-    </message>
-    <message>
-        <source>their number or values do not suit the buttons</source>
-        <translation>Zahl oder Werte passen nicht zu den Tastern</translation>
-    </message>
-    <message>
         <source>Give each button one weight of 0 or more, but not 0 to all</source>
         <translation>Geben Sie jedem Taster ein Gewicht ab 0, aber nicht allen 0</translation>
-    </message>
-    <message>
-        <source>some are momentary and some self-locking</source>
-        <translation>einige sind tastend, andere rastend</translation>
-    </message>
-    <message>
-        <source>Give buttons of one kind</source>
-        <translation>Taster einer Art wählen</translation>
     </message>
     <message>
         <source>Give a share from 0 to 1</source>
@@ -1463,26 +1231,6 @@ Lizenz: %3</translation>
     <message>
         <source>%1 mm/s</source>
         <translation>%1 mm/s</translation>
-    </message>
-    <message>
-        <source>has graphs at other speeds, but states no speed for its main graph</source>
-        <translation>hat Graphen bei anderen Geschwindigkeiten, nennt aber keine für den Hauptgraphen</translation>
-    </message>
-    <message>
-        <source>State the speed of the main graph in mm/s</source>
-        <translation>Nennen Sie die Geschwindigkeit des Hauptgraphen in mm/s</translation>
-    </message>
-    <message>
-        <source>states the speed %1, but has no graph at another speed</source>
-        <translation>nennt die Geschwindigkeit %1, hat aber keinen Graphen bei einer anderen</translation>
-    </message>
-    <message>
-        <source>Give a graph at another speed, or state no speed</source>
-        <translation>Geben Sie einen Graphen bei einer anderen Geschwindigkeit an, oder nennen Sie keine</translation>
-    </message>
-    <message>
-        <source>has graphs at %1 speeds</source>
-        <translation>hat Graphen bei %1 Geschwindigkeiten</translation>
     </message>
     <message>
         <source>Keep two to four graphs</source>
@@ -1497,52 +1245,16 @@ Lizenz: %3</translation>
         <translation>Geschwindigkeiten über 0 bis %1 angeben</translation>
     </message>
     <message>
-        <source>states the speed %1 twice</source>
-        <translation>nennt die Geschwindigkeit %1 zweimal</translation>
-    </message>
-    <message>
-        <source>Give each graph a speed of its own</source>
-        <translation>Jedem Graphen eine eigene Geschwindigkeit geben</translation>
-    </message>
-    <message>
         <source>speed %1 is not above the previous speed %2</source>
         <translation>Geschwindigkeit %1 ist nicht höher als die vorige, %2</translation>
-    </message>
-    <message>
-        <source>Sort the other graphs by increasing speed, each speed once</source>
-        <translation>Ordnen Sie die anderen Graphen nach steigender Geschwindigkeit, jede nur einmal</translation>
-    </message>
-    <message>
-        <source>has a release, but the graph at %1 has none</source>
-        <translation>hat einen Rückweg, der Graph bei %1 aber keinen</translation>
-    </message>
-    <message>
-        <source>has no release, but the graph at %1 has one</source>
-        <translation>hat keinen Rückweg, der Graph bei %1 aber einen</translation>
-    </message>
-    <message>
-        <source>Give all speeds a release, or none</source>
-        <translation>Allen Geschwindigkeiten einen Rückweg geben, oder keiner</translation>
-    </message>
-    <message>
-        <source>one end of the %1 lies at %2, but at %4 in the graph of %3: more than %5 apart</source>
-        <translation>ein Ende (%1) liegt bei %2, beim Graphen für %3 bei %4: mehr als %5 auseinander</translation>
     </message>
     <message>
         <source>Give graphs of one button, with the same travel</source>
         <translation>Graphen eines Tasters mit demselben Weg angeben</translation>
     </message>
     <message>
-        <source>states the speed %1, but %2 states %3</source>
-        <translation>nennt die Geschwindigkeit %1, %2 dagegen %3</translation>
-    </message>
-    <message>
         <source>Choose the same speed for the main graph of every state</source>
         <translation>Wählen Sie für den Hauptgraphen jedes Zustands dieselbe Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>has graphs at other speeds than %1</source>
-        <translation>hat Graphen bei anderen Geschwindigkeiten als %1</translation>
     </message>
     <message>
         <source>Give every state graphs at the same speeds</source>
@@ -1553,24 +1265,8 @@ Lizenz: %3</translation>
         <translation>die beiden Graphen haben keinen gemeinsamen Hub</translation>
     </message>
     <message>
-        <source>Compare graphs that both have a press or a release curve</source>
-        <translation>Graphen vergleichen, die beide eine Hinwegkurve oder beide eine Rückwegkurve haben</translation>
-    </message>
-    <message>
-        <source>is not a usable number</source>
-        <translation>ist keine brauchbare Zahl</translation>
-    </message>
-    <message>
         <source>Remove the point</source>
         <translation>Entfernen Sie den Punkt</translation>
-    </message>
-    <message>
-        <source>Give one stroke in the order travelled, or fit it with detent-import</source>
-        <translation>Einen Hub in der Reihenfolge des Wegs angeben, oder mit detent-import anpassen</translation>
-    </message>
-    <message>
-        <source>Give one force at each displacement, or fit the points with detent-import</source>
-        <translation>Zu jedem Weg eine Kraft angeben, oder die Punkte mit detent-import anpassen</translation>
     </message>
     <message>
         <source>%1 mm/s is not a speed above 0</source>
@@ -1597,24 +1293,8 @@ Lizenz: %3</translation>
         <translation>Raststellung</translation>
     </message>
     <message>
-        <source>does not lie between the valley and the end of the travel</source>
-        <translation>liegt nicht zwischen dem Tal und dem Ende des Wegs</translation>
-    </message>
-    <message>
         <source>Move the lock position between the two</source>
         <translation>Legen Sie die Raststelle zwischen beide</translation>
-    </message>
-    <message>
-        <source>there are fewer than two</source>
-        <translation>es gibt weniger als zwei</translation>
-    </message>
-    <message>
-        <source>Give every unit that was measured</source>
-        <translation>Jedes gemessene Exemplar angeben</translation>
-    </message>
-    <message>
-        <source>no displacement lies within the travel of all units</source>
-        <translation>die Exemplare haben keinen gemeinsamen Weg</translation>
     </message>
     <message>
         <source>Choose specimens of the same button</source>
@@ -1627,10 +1307,6 @@ Lizenz: %3</translation>
     <message>
         <source>live playback</source>
         <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>render</source>
-        <translation>Berechnen</translation>
     </message>
     <message>
         <source>answer</source>
@@ -1784,6 +1460,326 @@ Lizenz: %3</translation>
         <source>bottom dead zone</source>
         <translation>untere Totzone</translation>
     </message>
+    <message>
+        <source>specimens</source>
+        <translation>Exemplare</translation>
+    </message>
+    <message>
+        <source>rendered press</source>
+        <translation>berechneter Tastendruck</translation>
+    </message>
+    <message>
+        <source>there are no buttons</source>
+        <translation>es gibt keine Taster</translation>
+    </message>
+    <message>
+        <source>Give one button or more</source>
+        <translation>Geben Sie einen oder mehrere Taster an</translation>
+    </message>
+    <message>
+        <source>the number of weights, or one of the weights, does not suit the buttons</source>
+        <translation>die Anzahl der Gewichte oder eines der Gewichte passt nicht zu den Tastern</translation>
+    </message>
+    <message>
+        <source>some of the buttons are momentary, others are self-locking</source>
+        <translation>einige der Taster sind tastend, andere rastend</translation>
+    </message>
+    <message>
+        <source>Choose buttons of one kind</source>
+        <translation>Wählen Sie Taster einer Art</translation>
+    </message>
+    <message>
+        <source>the displacement %1 is not above that of the previous point</source>
+        <translation>der Weg %1 liegt nicht über dem des vorigen Punkts</translation>
+    </message>
+    <message>
+        <source>Sort the damping points by increasing displacement</source>
+        <translation>Sortieren Sie die Dämpfungspunkte nach zunehmendem Weg</translation>
+    </message>
+    <message>
+        <source>the state has graphs at other speeds, but gives no speed for its main graph</source>
+        <translation>der Zustand hat Graphen bei anderen Geschwindigkeiten, gibt aber keine Geschwindigkeit für den Hauptgraphen an</translation>
+    </message>
+    <message>
+        <source>Give the speed of the main graph in mm/s</source>
+        <translation>Geben Sie die Geschwindigkeit des Hauptgraphen in mm/s an</translation>
+    </message>
+    <message>
+        <source>the state gives the speed %1, but has no graph at another speed</source>
+        <translation>der Zustand gibt die Geschwindigkeit %1 an, hat aber keinen Graphen bei einer anderen</translation>
+    </message>
+    <message>
+        <source>Add a graph at another speed, or remove the speed</source>
+        <translation>Fügen Sie einen Graphen bei einer anderen Geschwindigkeit hinzu, oder entfernen Sie die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>the state has graphs at %1 speeds, which are too many</source>
+        <translation>der Zustand hat Graphen bei %1 Geschwindigkeiten, das sind zu viele</translation>
+    </message>
+    <message>
+        <source>the state has two graphs at the speed %1</source>
+        <translation>der Zustand hat zwei Graphen bei der Geschwindigkeit %1</translation>
+    </message>
+    <message>
+        <source>Give each graph a different speed</source>
+        <translation>Geben Sie jedem Graphen eine andere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Sort the other graphs by increasing speed, and use each speed only once</source>
+        <translation>Sortieren Sie die übrigen Graphen nach steigender Geschwindigkeit, und verwenden Sie jede nur einmal</translation>
+    </message>
+    <message>
+        <source>this graph has a release, but the graph at %1 has none</source>
+        <translation>dieser Graph hat einen Rückweg, der Graph bei %1 aber keinen</translation>
+    </message>
+    <message>
+        <source>this graph has no release, but the graph at %1 has one</source>
+        <translation>dieser Graph hat keinen Rückweg, der Graph bei %1 aber einen</translation>
+    </message>
+    <message>
+        <source>Give the graphs of all speeds a release, or none of them</source>
+        <translation>Geben Sie den Graphen aller Geschwindigkeiten einen Rückweg, oder keinem</translation>
+    </message>
+    <message>
+        <source>one end of the %1 lies at %2, but in the graph of %3 it lies at %4; the two may differ by %5 at most</source>
+        <translation>ein Ende (%1) liegt bei %2, im Graphen für %3 aber bei %4; beide dürfen höchstens um %5 auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>the main graph of this state has the speed %1, but that of %2 has %3</source>
+        <translation>der Hauptgraph dieses Zustands hat die Geschwindigkeit %1, der von %2 aber %3</translation>
+    </message>
+    <message>
+        <source>the graphs of this state have other speeds than those of %1</source>
+        <translation>die Graphen dieses Zustands haben andere Geschwindigkeiten als die von %1</translation>
+    </message>
+    <message>
+        <source>this state has the same name as state %1</source>
+        <translation>dieser Zustand hat denselben Namen wie Zustand %1</translation>
+    </message>
+    <message>
+        <source>the button has no state %1</source>
+        <translation>der Taster hat keinen Zustand %1</translation>
+    </message>
+    <message>
+        <source>there is no release curve</source>
+        <translation>es gibt keinen Rückweg</translation>
+    </message>
+    <message>
+        <source>Create a release curve first (in the window: Edit &gt; Curve &gt; Mirror press to release)</source>
+        <translation>Erzeugen Sie zuerst einen Rückweg (im Fenster: Bearbeiten &gt; Kurve &gt; Hinweg zum Rückweg spiegeln)</translation>
+    </message>
+    <message>
+        <source>the hysteresis is not a number of 0 or more</source>
+        <translation>die Hysterese ist keine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>the button already has two states</source>
+        <translation>der Taster hat schon zwei Zustände</translation>
+    </message>
+    <message>
+        <source>the button has only this state</source>
+        <translation>der Taster hat nur diesen Zustand</translation>
+    </message>
+    <message>
+        <source>the curve has no point %1, because it has only %2 points</source>
+        <translation>die Kurve hat keinen Punkt %1, weil sie nur %2 Punkte hat</translation>
+    </message>
+    <message>
+        <source>the point cannot move to %1, because its neighbour at %2 lies in between</source>
+        <translation>der Punkt lässt sich nicht nach %1 verschieben, weil sein Nachbar bei %2 dazwischen liegt</translation>
+    </message>
+    <message>
+        <source>no point can be added at %1, because the curve runs from %2 to %3</source>
+        <translation>bei %1 lässt sich kein Punkt hinzufügen, weil die Kurve von %2 bis %3 reicht</translation>
+    </message>
+    <message>
+        <source>there already is a curve point at %1</source>
+        <translation>bei %1 liegt schon ein Kurvenpunkt</translation>
+    </message>
+    <message>
+        <source>the point cannot be removed, because a curve needs 2 points</source>
+        <translation>der Punkt lässt sich nicht entfernen, weil eine Kurve 2 Punkte braucht</translation>
+    </message>
+    <message>
+        <source>the point would move to %1, before curve point %2 at %3</source>
+        <translation>der Punkt käme nach %1, vor Kurvenpunkt %2 bei %3</translation>
+    </message>
+    <message>
+        <source>%1 points cannot be removed, because a curve needs 2 points</source>
+        <translation>%1 Punkte lassen sich nicht entfernen, weil eine Kurve 2 Punkte braucht</translation>
+    </message>
+    <message>
+        <source>the curve has no part from %1 to %2</source>
+        <translation>die Kurve hat keinen Teil von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>there are no points to insert into the curve</source>
+        <translation>es gibt keine Punkte, die sich in die Kurve einfügen ließen</translation>
+    </message>
+    <message>
+        <source>the point cannot move to %1, because it must stay between %2 and %3</source>
+        <translation>der Punkt lässt sich nicht nach %1 verschieben, weil er zwischen %2 und %3 bleiben muss</translation>
+    </message>
+    <message>
+        <source>with the force %1, the point would no longer be a peak or valley, because the curve beside it ends at %2</source>
+        <translation>mit der Kraft %1 wäre der Punkt keine Spitze und kein Tal mehr, weil die Kurve daneben bei %2 endet</translation>
+    </message>
+    <message>
+        <source>the curve has no tactile point %1, because it has only %2</source>
+        <translation>die Kurve hat keinen Druckpunkt %1, weil sie nur %2 hat</translation>
+    </message>
+    <message>
+        <source>the section cannot move by %1, because the neighbouring section ends at %2</source>
+        <translation>der Abschnitt lässt sich nicht um %1 verschieben, weil der Abschnitt daneben bei %2 endet</translation>
+    </message>
+    <message>
+        <source>the jump has the width %1 and the drop %2, but both must be above 0</source>
+        <translation>der Sprung hat die Breite %1 und den Abfall %2, beide müssen aber über 0 liegen</translation>
+    </message>
+    <message>
+        <source>the jump from %1 to %2 leaves the curve, which runs from %3 to %4</source>
+        <translation>der Sprung von %1 bis %2 verlässt die Kurve, die von %3 bis %4 reicht</translation>
+    </message>
+    <message>
+        <source>the jump starts at %1, where the force does not rise</source>
+        <translation>der Sprung beginnt bei %1, wo die Kraft nicht steigt</translation>
+    </message>
+    <message>
+        <source>the point is neither a peak nor a valley of the curve</source>
+        <translation>der Punkt ist weder Spitze noch Tal der Kurve</translation>
+    </message>
+    <message>
+        <source>a tactile point cannot have a snap ratio of %1</source>
+        <translation>ein Druckpunkt kann kein Schnappverhältnis von %1 haben</translation>
+    </message>
+    <message>
+        <source>there is no valley after the tactile point</source>
+        <translation>nach dem Druckpunkt kommt kein Tal</translation>
+    </message>
+    <message>
+        <source>the curve has no section %1, because it has only %2</source>
+        <translation>die Kurve hat keinen Abschnitt %1, weil sie nur %2 hat</translation>
+    </message>
+    <message>
+        <source>the section cannot move, because the distance is not a usable number</source>
+        <translation>der Abschnitt lässt sich nicht verschieben, weil der Betrag keine brauchbare Zahl ist</translation>
+    </message>
+    <message>
+        <source>Give the distances as ordinary numbers</source>
+        <translation>Geben Sie die Beträge als gewöhnliche Zahlen an</translation>
+    </message>
+    <message>
+        <source>the jump cannot return to the curve, because the force is %1 there and %2 in the valley</source>
+        <translation>der Sprung kann nicht zur Kurve zurückkehren, weil die Kraft dort %1 und im Tal %2 ist</translation>
+    </message>
+    <message>
+        <source>the file is not valid JSON: %1</source>
+        <translation>die Datei ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>the list has %1 codes for %2 warnings</source>
+        <translation>die Liste hat %1 Codes zu %2 Warnungen</translation>
+    </message>
+    <message>
+        <source>the picture has %1 bytes; the limit is %2</source>
+        <translation>das Bild hat %1 Bytes; die Grenze ist %2</translation>
+    </message>
+    <message>
+        <source>the list has %1 numbers, but it needs nine</source>
+        <translation>die Liste hat %1 Zahlen, sie braucht aber neun</translation>
+    </message>
+    <message>
+        <source>the format is not &quot;detent-button&quot;</source>
+        <translation>das Format ist nicht „detent-button“</translation>
+    </message>
+    <message>
+        <source>the field is missing</source>
+        <translation>das Feld fehlt</translation>
+    </message>
+    <message>
+        <source>the file has version %1; this program reads versions up to %2</source>
+        <translation>die Datei hat Version %1; dieses Programm liest Versionen bis %2</translation>
+    </message>
+    <message>
+        <source>the release curve runs from %1 to %2, but the press curve from %3 to %4</source>
+        <translation>der Rückweg reicht von %1 bis %2, der Hinweg aber von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>this stroke would no longer end where the other strokes end</source>
+        <translation>dieser Hub würde nicht mehr dort enden, wo die übrigen Hübe enden</translation>
+    </message>
+    <message>
+        <source>the curve would leave its locked point at %1</source>
+        <translation>die Kurve würde ihren gesperrten Punkt bei %1 verlassen</translation>
+    </message>
+    <message>
+        <source>one of the two values is not a usable number</source>
+        <translation>einer der beiden Werte ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>the displacement %1 lies before that of the previous point, %2</source>
+        <translation>der Weg %1 liegt vor dem des vorigen Punkts, %2</translation>
+    </message>
+    <message>
+        <source>Put the points of the stroke into the order of the movement, or let detent-import fit a curve to them (in the window: File &gt; Import a datasheet)</source>
+        <translation>Bringen Sie die Punkte des Hubs in die Reihenfolge der Bewegung, oder lassen Sie detent-import eine Kurve anpassen (im Fenster: Datei &gt; Ein Datenblatt importieren)</translation>
+    </message>
+    <message>
+        <source>the force reverses its direction inside a vertical rise at %1</source>
+        <translation>die Kraft kehrt in einem senkrechten Anstieg bei %1 die Richtung um</translation>
+    </message>
+    <message>
+        <source>Keep one force at each displacement, or let detent-import fit a curve to the points (in the window: File &gt; Import a datasheet)</source>
+        <translation>Behalten Sie bei jedem Weg eine Kraft, oder lassen Sie detent-import eine Kurve anpassen (im Fenster: Datei &gt; Ein Datenblatt importieren)</translation>
+    </message>
+    <message>
+        <source>the file cannot be written: %1</source>
+        <translation>die Datei lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>this is the third point at the displacement %1</source>
+        <translation>dies ist der dritte Punkt beim Weg %1</translation>
+    </message>
+    <message>
+        <source>this piece is too steep to compute its slope</source>
+        <translation>dieses Stück ist zu steil, um seine Steigung zu berechnen</translation>
+    </message>
+    <message>
+        <source>another tactile point would get the largest drop</source>
+        <translation>ein anderer Druckpunkt bekäme den größten Abfall</translation>
+    </message>
+    <message>
+        <source>these targets contradict each other: %1; %2; %3</source>
+        <translation>diese Ziele widersprechen einander: %1; %2; %3</translation>
+    </message>
+    <message>
+        <source>First add to the curve the part that this key figure measures, such as a release or a tactile point</source>
+        <translation>Ergänzen Sie zuerst den Teil der Kurve, den diese Kennzahl misst, zum Beispiel einen Rückweg oder einen Druckpunkt</translation>
+    </message>
+    <message>
+        <source>there is no such piece, because the curve has only %1 pieces</source>
+        <translation>dieses Stück gibt es nicht, weil die Kurve nur %1 Stücke hat</translation>
+    </message>
+    <message>
+        <source>the lock position does not lie between the valley and the end of the travel</source>
+        <translation>die Rastposition liegt nicht zwischen dem Tal und dem Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>an average needs at least two specimens</source>
+        <translation>ein Mittel braucht mindestens zwei Exemplare</translation>
+    </message>
+    <message>
+        <source>Give every specimen that was measured</source>
+        <translation>Geben Sie jedes gemessene Exemplar an</translation>
+    </message>
+    <message>
+        <source>no displacement lies within the travel of all specimens</source>
+        <translation>kein Weg liegt im Weg aller Exemplare</translation>
+    </message>
+    <message>
+        <source>Choose two graphs that both have a press, or both have a release</source>
+        <translation>Wählen Sie zwei Graphen, die beide einen Hinweg oder beide einen Rückweg haben</translation>
+    </message>
 </context>
 <context>
     <name>detent::Bending</name>
@@ -1796,19 +1792,19 @@ Lizenz: %3</translation>
         <translation>Geben Sie einen Wert näher am jetzigen an</translation>
     </message>
     <message>
-        <source>the curve would lose more than one of its properties</source>
-        <translation>ginge mehr als eine Eigenschaft der Kurve verloren</translation>
+        <source>the curve would break several rules at once</source>
+        <translation>verstieße die Kurve gegen mehrere Regeln zugleich</translation>
     </message>
 </context>
 <context>
     <name>detent::Button</name>
     <message>
-        <source>has %1 states</source>
-        <translation>hat %1 Zustände</translation>
-    </message>
-    <message>
         <source>Give one state (momentary) or two (self-locking)</source>
         <translation>Geben Sie einen Zustand an (tastend) oder zwei (rastend)</translation>
+    </message>
+    <message>
+        <source>the button has %1 states, but it needs one or two</source>
+        <translation>der Taster hat %1 Zustände, er braucht aber einen oder zwei</translation>
     </message>
 </context>
 <context>
@@ -1818,27 +1814,27 @@ Lizenz: %3</translation>
         <translation>Hinwegkurve</translation>
     </message>
     <message>
-        <source>starts at %1, before 0</source>
-        <translation>beginnt bei %1, vor 0</translation>
-    </message>
-    <message>
         <source>Move the curve so that it starts at 0 mm or later</source>
         <translation>Verschieben Sie die Kurve so, dass sie bei 0 mm oder später beginnt</translation>
+    </message>
+    <message>
+        <source>the press curve starts at %1, before 0</source>
+        <translation>der Hinweg beginnt bei %1, vor 0</translation>
     </message>
 </context>
 <context>
     <name>detent::Reader</name>
     <message>
-        <source>is not a field of this format</source>
-        <translation>ist kein Feld dieses Formats</translation>
-    </message>
-    <message>
-        <source>is missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
         <source>Add the field; see docs/reference/file-format.md</source>
         <translation>Ergänzen Sie das Feld, siehe docs/reference/file-format.md</translation>
+    </message>
+    <message>
+        <source>this field does not belong to the format</source>
+        <translation>dieses Feld gehört nicht zum Format</translation>
+    </message>
+    <message>
+        <source>the field is missing</source>
+        <translation>das Feld fehlt</translation>
     </message>
 </context>
 <context>
@@ -1851,67 +1847,67 @@ Lizenz: %3</translation>
 <context>
     <name>detent::StagedFile</name>
     <message>
-        <source>it is a folder</source>
-        <translation>das ist ein Ordner</translation>
-    </message>
-    <message>
         <source>Name a file inside this folder</source>
         <translation>Nennen Sie eine Datei in diesem Ordner</translation>
-    </message>
-    <message>
-        <source>it is not an ordinary file</source>
-        <translation>es ist keine gewöhnliche Datei</translation>
     </message>
     <message>
         <source>Name an ordinary file</source>
         <translation>Nennen Sie eine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>its folder does not exist</source>
-        <translation>den Ordner gibt es nicht</translation>
-    </message>
-    <message>
         <source>Create the folder first</source>
         <translation>Legen Sie zuerst den Ordner an</translation>
-    </message>
-    <message>
-        <source>cannot be written</source>
-        <translation>lässt sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1</source>
-        <translation>lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
         <source>Check the folder&apos;s permissions and free space</source>
         <translation>Prüfen Sie Zugriffsrechte und freien Platz des Ordners</translation>
     </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>die Datei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the file cannot be written: %1</source>
+        <translation>die Datei lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>dies ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>this is not an ordinary file</source>
+        <translation>dies ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>the folder of the file does not exist</source>
+        <translation>den Ordner der Datei gibt es nicht</translation>
+    </message>
 </context>
 <context>
     <name>detent::StrokeCurve</name>
     <message>
-        <source>has %1 points, but a curve needs at least 2</source>
-        <translation>hat %1 Punkte, aber eine Kurve braucht mindestens 2</translation>
-    </message>
-    <message>
         <source>Give at least the start and the end of the curve</source>
         <translation>Geben Sie mindestens Anfang und Ende der Kurve an</translation>
-    </message>
-    <message>
-        <source>has %1 points, more than the %2 allowed</source>
-        <translation>hat %1 Punkte, mehr als die erlaubten %2</translation>
     </message>
     <message>
         <source>Remove some of the points first</source>
         <translation>Entfernen Sie zuerst einige der Punkte</translation>
     </message>
     <message>
-        <source>has zero travel: all points lie at %1</source>
-        <translation>hat keinen Weg: Alle Punkte liegen bei %1</translation>
-    </message>
-    <message>
         <source>Give the curve two different displacements</source>
         <translation>Geben Sie der Kurve zwei verschiedene Wege</translation>
+    </message>
+    <message>
+        <source>the curve has %1 points, but it needs at least 2</source>
+        <translation>die Kurve hat %1 Punkte, sie braucht aber mindestens 2</translation>
+    </message>
+    <message>
+        <source>the curve has %1 points, but at most %2 are allowed</source>
+        <translation>die Kurve hat %1 Punkte, erlaubt sind aber höchstens %2</translation>
+    </message>
+    <message>
+        <source>the curve has no travel, because all its points lie at %1</source>
+        <translation>die Kurve hat keinen Weg, weil alle ihre Punkte bei %1 liegen</translation>
     </message>
 </context>
 <context>
@@ -1981,10 +1977,6 @@ Lizenz: %3</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>units ± standard deviation</source>
-        <translation>Exemplare ± Standardabweichung</translation>
-    </message>
-    <message>
         <source>grid</source>
         <translation>Raster</translation>
     </message>
@@ -2015,14 +2007,6 @@ Lizenz: %3</translation>
     <message>
         <source>from %1 to %2</source>
         <translation>von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>(limited by its damping)</source>
-        <translation>(begrenzt durch seine Dämpfung)</translation>
-    </message>
-    <message>
-        <source>(limited by its friction and encoder steps)</source>
-        <translation>(begrenzt durch seine Reibung und seine Encoderschritte)</translation>
     </message>
     <message>
         <source>(limit of the device)</source>
@@ -2065,16 +2049,8 @@ Lizenz: %3</translation>
         <translation>%1 übersteigt die Kraft des Geräts; wiedergegeben wird %2</translation>
     </message>
     <message>
-        <source>at %2, the release lies up to %1 above the press and would add energy; the device uses the release curve for both there</source>
-        <translation>bei %2 liegt der Rückweg um bis zu %1 über dem Hinweg und würde Energie zuführen; das Gerät nimmt dort für beide den Rückweg</translation>
-    </message>
-    <message>
         <source>the damping of %1 at %2 is reproduced as %3</source>
         <translation>die Dämpfung von %1 bei %2 wird als %3 wiedergegeben</translation>
-    </message>
-    <message>
-        <source>to change from press to release, this device would need %1 of travel; it gets %2 and may vibrate</source>
-        <translation>um vom Hinweg zum Rückweg zu wechseln, bräuchte dieses Gerät %1 Weg; es bekommt %2 und kann schwingen</translation>
     </message>
     <message>
         <source>forces %2 changed by up to %1</source>
@@ -2589,10 +2565,6 @@ Lizenz: %3</translation>
         <translation>Entfernen: %1</translation>
     </message>
     <message>
-        <source>at %2, the release at one speed lies up to %1 above the press at another and would add energy; there the press follows that release</source>
-        <translation>bei %2 liegt der Rückweg einer Geschwindigkeit um bis zu %1 über dem Hinweg einer anderen und würde Energie zuführen; dort folgt der Hinweg diesem Rückweg</translation>
-    </message>
-    <message>
         <source>at %2, the force changes with speed like a damping of %1; the device reproduces %3</source>
         <translation>bei %2 ändert sich die Kraft mit der Geschwindigkeit wie eine Dämpfung von %1; das Gerät gibt %3 wieder</translation>
     </message>
@@ -2605,72 +2577,24 @@ Lizenz: %3</translation>
         <translation>%1 mm/s</translation>
     </message>
     <message>
-        <source>is a page to import, not a button</source>
-        <translation>ist eine Seite zum Importieren, kein Taster</translation>
-    </message>
-    <message>
         <source>Import the file with File &gt; Import a datasheet</source>
         <translation>Importieren Sie die Datei mit Datei &gt; Ein Datenblatt importieren</translation>
-    </message>
-    <message>
-        <source>cannot be saved as a PNG</source>
-        <translation>lässt sich nicht als PNG speichern</translation>
-    </message>
-    <message>
-        <source>cannot be created as a folder: %1</source>
-        <translation>lässt sich nicht als Ordner anlegen: %1</translation>
-    </message>
-    <message>
-        <source>Choose another place or name</source>
-        <translation>Wählen Sie einen anderen Ort oder Namen</translation>
     </message>
     <message>
         <source>Choose a smaller size for the picture</source>
         <translation>Wählen Sie eine kleinere Bildgröße</translation>
     </message>
     <message>
-        <source>cannot be drawn</source>
-        <translation>lässt sich nicht zeichnen</translation>
-    </message>
-    <message>
         <source>Export a PNG instead</source>
         <translation>Exportieren Sie stattdessen eine PNG</translation>
-    </message>
-    <message>
-        <source>could not be drawn</source>
-        <translation>ließ sich nicht zeichnen</translation>
     </message>
     <message>
         <source>Export an SVG instead</source>
         <translation>Exportieren Sie stattdessen eine SVG</translation>
     </message>
     <message>
-        <source>The file was left by a Detent that ended unexpectedly; you can delete it</source>
-        <translation>Die Datei stammt von einem unerwartet beendeten Detent; Sie können sie löschen</translation>
-    </message>
-    <message>
-        <source>is not a recovery file: %1</source>
-        <translation>ist keine Wiederherstellungsdatei: %1</translation>
-    </message>
-    <message>
-        <source>is not a recovery file: its format is not detent-recovery</source>
-        <translation>ist keine Wiederherstellungsdatei: Ihr Format ist nicht detent-recovery</translation>
-    </message>
-    <message>
-        <source>has version %1, not 1</source>
-        <translation>hat Version %1, nicht 1</translation>
-    </message>
-    <message>
-        <source>it holds no picture</source>
-        <translation>sie enthält kein Bild</translation>
-    </message>
-    <message>
         <source>Copy the picture again, or save it to a file and open the file</source>
         <translation>Kopieren Sie das Bild noch einmal, oder speichern Sie es in eine Datei und öffnen Sie diese</translation>
-    </message>
-    <message>
-        <source>has no release curve to paste into</source>
-        <translation>hat keinen Rückweg, in den sich einfügen ließe</translation>
     </message>
     <message>
         <source>Create a release first: Edit &gt; Curve &gt; Mirror press to release</source>
@@ -2681,10 +2605,6 @@ Lizenz: %3</translation>
         <translation>Steigungsgriff</translation>
     </message>
     <message>
-        <source>would point to the other side of its curve point</source>
-        <translation>würde zur anderen Seite seines Kurvenpunkts zeigen</translation>
-    </message>
-    <message>
         <source>Keep the handle left of the curve point</source>
         <translation>Lassen Sie den Griff links vom Kurvenpunkt</translation>
     </message>
@@ -2693,32 +2613,12 @@ Lizenz: %3</translation>
         <translation>Lassen Sie den Griff rechts vom Kurvenpunkt</translation>
     </message>
     <message>
-        <source>cannot be removed on its own</source>
-        <translation>lässt sich nicht allein entfernen</translation>
-    </message>
-    <message>
         <source>Select a curve point, a tactile point, or the operating or reset point</source>
         <translation>Wählen Sie einen Kurvenpunkt, einen Druckpunkt, den Schaltpunkt oder den Rückschaltpunkt</translation>
     </message>
     <message>
-        <source>names a curve point that does not exist</source>
-        <translation>nennt einen Kurvenpunkt, den es nicht gibt</translation>
-    </message>
-    <message>
         <source>Select the points again</source>
         <translation>Die Punkte noch einmal wählen</translation>
-    </message>
-    <message>
-        <source>has fewer than two curve points</source>
-        <translation>hat weniger als zwei Kurvenpunkte</translation>
-    </message>
-    <message>
-        <source>Select two or more points; all align with the last one</source>
-        <translation>Wählen Sie zwei oder mehr Punkte; alle richten sich nach dem letzten aus</translation>
-    </message>
-    <message>
-        <source>has fewer than three curve points of one stroke</source>
-        <translation>hat weniger als drei Kurvenpunkte eines Hubs</translation>
     </message>
     <message>
         <source>Select three or more points; the outer two stay in place</source>
@@ -2761,16 +2661,8 @@ Lizenz: %3</translation>
         <translation>Fügen Sie dort einen Kurvenpunkt hinzu (K) und verschieben Sie den neuen Punkt</translation>
     </message>
     <message>
-        <source>would get an extra peak or valley</source>
-        <translation>bekäme eine zusätzliche Spitze oder ein zusätzliches Tal</translation>
-    </message>
-    <message>
         <source>Draw press curve</source>
         <translation>Hinwegkurve zeichnen</translation>
-    </message>
-    <message>
-        <source>is vertical</source>
-        <translation>ist senkrecht</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -2821,44 +2713,8 @@ Lizenz: %3</translation>
         <translation>Steigung %1</translation>
     </message>
     <message>
-        <source>which of the switches</source>
-        <translation>welcher der Schalter</translation>
-    </message>
-    <message>
-        <source>which of the records</source>
-        <translation>welche der Aufzeichnungen</translation>
-    </message>
-    <message>
-        <source>the unit of force</source>
-        <translation>die Einheit der Kraft</translation>
-    </message>
-    <message>
-        <source>the unit of displacement</source>
-        <translation>die Einheit des Weges</translation>
-    </message>
-    <message>
         <source>which curve is the press</source>
         <translation>welche Kurve ist der Druck</translation>
-    </message>
-    <message>
-        <source>what the columns measure</source>
-        <translation>was die Spalten messen</translation>
-    </message>
-    <message>
-        <source>which columns are displacement and force</source>
-        <translation>welche Spalten sind Weg und Kraft</translation>
-    </message>
-    <message>
-        <source>which column is the force</source>
-        <translation>welche Spalte ist die Kraft</translation>
-    </message>
-    <message>
-        <source>which column is the displacement</source>
-        <translation>welche Spalte ist der Weg</translation>
-    </message>
-    <message>
-        <source>whether a second column of force is the release</source>
-        <translation>ob eine zweite Spalte mit Kräften der Rückweg ist</translation>
     </message>
     <message>
         <source>their mean</source>
@@ -2867,10 +2723,6 @@ Lizenz: %3</translation>
     <message>
         <source>it is the release</source>
         <translation>es ist das Loslassen</translation>
-    </message>
-    <message>
-        <source>it is another record</source>
-        <translation>es ist eine andere Aufzeichnung</translation>
     </message>
     <message>
         <source>%1? %2</source>
@@ -2883,6 +2735,150 @@ Lizenz: %3</translation>
     <message>
         <source>“%1” is too large, or divides by zero. Type another number.</source>
         <translation>„%1“ ist zu groß oder teilt durch null. Geben Sie eine andere Zahl ein.</translation>
+    </message>
+    <message>
+        <source>specimens ± standard deviation</source>
+        <translation>Exemplare ± Standardabweichung</translation>
+    </message>
+    <message>
+        <source>to change from press to release, this device would need %1 of travel; it has only %2, so it may vibrate</source>
+        <translation>um vom Hinweg zum Rückweg zu wechseln, brauchte dieses Gerät %1 Weg; es hat nur %2 und kann daher vibrieren</translation>
+    </message>
+    <message>
+        <source>this file is a page to import, not a button</source>
+        <translation>diese Datei ist eine Seite zum Importieren, kein Taster</translation>
+    </message>
+    <message>
+        <source>the picture cannot be saved as a PNG</source>
+        <translation>das Bild lässt sich nicht als PNG speichern</translation>
+    </message>
+    <message>
+        <source>the picture cannot be drawn</source>
+        <translation>das Bild lässt sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created: %1</source>
+        <translation>der Ordner lässt sich nicht anlegen: %1</translation>
+    </message>
+    <message>
+        <source>Choose another folder or another name</source>
+        <translation>Wählen Sie einen anderen Ordner oder einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the graph could not be drawn</source>
+        <translation>der Graph ließ sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>Detent wrote this file before it ended unexpectedly; you can delete it</source>
+        <translation>Detent hat diese Datei geschrieben, bevor es unerwartet endete; Sie können sie löschen</translation>
+    </message>
+    <message>
+        <source>the file is not a recovery file: %1</source>
+        <translation>die Datei ist keine Wiederherstellungsdatei: %1</translation>
+    </message>
+    <message>
+        <source>the file is not a recovery file: its format is not detent-recovery</source>
+        <translation>die Datei ist keine Wiederherstellungsdatei: Ihr Format ist nicht detent-recovery</translation>
+    </message>
+    <message>
+        <source>the recovery file has version %1, but only version 1 can be read</source>
+        <translation>die Wiederherstellungsdatei hat Version %1, lesbar ist aber nur Version 1</translation>
+    </message>
+    <message>
+        <source>which switch should be read</source>
+        <translation>welcher Schalter soll gelesen werden</translation>
+    </message>
+    <message>
+        <source>which recording should be read</source>
+        <translation>welche Aufzeichnung soll gelesen werden</translation>
+    </message>
+    <message>
+        <source>what is the unit of force</source>
+        <translation>welche Einheit hat die Kraft</translation>
+    </message>
+    <message>
+        <source>what is the unit of displacement</source>
+        <translation>welche Einheit hat der Weg</translation>
+    </message>
+    <message>
+        <source>what do the columns measure</source>
+        <translation>was messen die Spalten</translation>
+    </message>
+    <message>
+        <source>which columns hold displacement and force</source>
+        <translation>welche Spalten enthalten Weg und Kraft</translation>
+    </message>
+    <message>
+        <source>which column holds the force</source>
+        <translation>welche Spalte enthält die Kraft</translation>
+    </message>
+    <message>
+        <source>which column holds the displacement</source>
+        <translation>welche Spalte enthält den Weg</translation>
+    </message>
+    <message>
+        <source>does the second column of forces hold the release</source>
+        <translation>enthält die zweite Spalte mit Kräften den Rückweg</translation>
+    </message>
+    <message>
+        <source>it is another recording</source>
+        <translation>sie ist eine andere Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the clipboard holds no picture</source>
+        <translation>die Zwischenablage enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>the graph has no release curve to paste into</source>
+        <translation>der Graph hat keinen Rückweg, in den sich einfügen ließe</translation>
+    </message>
+    <message>
+        <source>the handle would move to the other side of its curve point</source>
+        <translation>der Griff käme auf die andere Seite seines Kurvenpunkts</translation>
+    </message>
+    <message>
+        <source>this piece is vertical</source>
+        <translation>dieses Stück ist senkrecht</translation>
+    </message>
+    <message>
+        <source>this piece would get an extra peak or valley</source>
+        <translation>dieses Stück bekäme eine zusätzliche Spitze oder ein zusätzliches Tal</translation>
+    </message>
+    <message>
+        <source>this element cannot be removed on its own</source>
+        <translation>dieses Element lässt sich nicht allein entfernen</translation>
+    </message>
+    <message>
+        <source>one of the selected curve points no longer exists</source>
+        <translation>einen der ausgewählten Kurvenpunkte gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>fewer than two curve points are selected</source>
+        <translation>es sind weniger als zwei Kurvenpunkte ausgewählt</translation>
+    </message>
+    <message>
+        <source>Select two or more curve points; the others are aligned with the last one</source>
+        <translation>Wählen Sie zwei oder mehr Kurvenpunkte aus; die anderen werden am letzten ausgerichtet</translation>
+    </message>
+    <message>
+        <source>fewer than three curve points of one stroke are selected</source>
+        <translation>es sind weniger als drei Kurvenpunkte eines Hubs ausgewählt</translation>
+    </message>
+    <message>
+        <source>(limited by the damping of the device)</source>
+        <translation>(begrenzt durch die Dämpfung des Geräts)</translation>
+    </message>
+    <message>
+        <source>(limited by the friction and the encoder steps of the device)</source>
+        <translation>(begrenzt durch Reibung und Encoderschritte des Geräts)</translation>
+    </message>
+    <message>
+        <source>at %2, the release lies up to %1 above the press and would add energy; there, the device uses the release curve for both strokes</source>
+        <translation>bei %2 liegt der Rückweg um bis zu %1 über dem Hinweg und würde Energie zuführen; dort nimmt das Gerät für beide Hübe den Rückweg</translation>
+    </message>
+    <message>
+        <source>at %2, the release at one speed lies up to %1 above the press at another and would add energy; there, the device uses this release curve for the press as well</source>
+        <translation>bei %2 liegt der Rückweg einer Geschwindigkeit um bis zu %1 über dem Hinweg einer anderen und würde Energie zuführen; dort nimmt das Gerät diesen Rückweg auch für den Hinweg</translation>
     </message>
 </context>
 <context>
@@ -3044,10 +3040,6 @@ Lizenz: %3</translation>
         <translation>Name der Version</translation>
     </message>
     <message>
-        <source>Keep all strokes e&amp;nding at the same travel</source>
-        <translation>Alle Hübe beim selben W&amp;eg enden lassen</translation>
-    </message>
-    <message>
         <source>New note at the selected point</source>
         <translation>Neue Notiz am gewählten Punkt</translation>
     </message>
@@ -3170,6 +3162,10 @@ Lizenz: %3</translation>
     <message>
         <source>Change links</source>
         <translation>Verknüpfungen ändern</translation>
+    </message>
+    <message>
+        <source>All strokes e&amp;nd at the same travel</source>
+        <translation>Alle Hübe enden beim selben W&amp;eg</translation>
     </message>
 </context>
 <context>
@@ -3536,8 +3532,8 @@ Lizenz: %3</translation>
         <translation>Die Datei braucht mehr Speicher, als verfügbar ist.</translation>
     </message>
     <message>
-        <source>The reader crashed or hung on this file.</source>
-        <translation>Das Lesen dieser Datei ist abgestürzt oder stehen geblieben.</translation>
+        <source>The program that reads files crashed on this one, or did not finish.</source>
+        <translation>Das Programm, das Dateien liest, ist an dieser abgestürzt oder nicht fertig geworden.</translation>
     </message>
 </context>
 <context>
@@ -3821,20 +3817,12 @@ Lizenz: %3</translation>
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>Energy of the vibration kept: %1</source>
-        <translation>Erhaltene Energie der Vibration: %1</translation>
-    </message>
-    <message>
         <source>Largest timing error: %1 ms; pulses merged: %2; frequencies shifted by up to %3 Hz</source>
         <translation>Größter Zeitfehler: %1 ms; zusammengefasste Impulse: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
     </message>
     <message>
         <source>The format cannot hold the whole press: the end of the press is cut off. The file states where.</source>
         <translation>Das Format fasst nicht die ganze Betätigung: Das Ende der Betätigung ist abgeschnitten. Die Datei gibt an, wo.</translation>
-    </message>
-    <message>
-        <source>Format or device to export the press for</source>
-        <translation>Format oder Gerät, für das die Betätigung exportiert wird</translation>
     </message>
     <message>
         <source>Samples per second</source>
@@ -3879,6 +3867,14 @@ Lizenz: %3</translation>
     <message>
         <source>Choose a location and write the file</source>
         <translation>Speicherort wählen und die Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Share of the vibration&apos;s energy that the export keeps: %1</source>
+        <translation>Anteil der Energie der Vibration, den der Export behält: %1</translation>
+    </message>
+    <message>
+        <source>Format or device for which the press is exported</source>
+        <translation>Format oder Gerät, für das die Betätigung exportiert wird</translation>
     </message>
 </context>
 <context>
@@ -4008,10 +4004,6 @@ Lizenz: %3</translation>
         <translation>durch Regengeräusch maskiert</translation>
     </message>
     <message>
-        <source>on the channels after those of the vibration</source>
-        <translation>auf den Kanälen nach denen der Vibration</translation>
-    </message>
-    <message>
         <source>Sound device of the headphones that play rain noise; turn up the volume until the vibration is inaudible</source>
         <translation>Audiogerät der Kopfhörer für das Regengeräusch; erhöhen Sie die Lautstärke, bis die Vibration nicht mehr zu hören ist</translation>
     </message>
@@ -4120,34 +4112,6 @@ Lizenz: %3</translation>
         <translation>%1 antwortet gerade.</translation>
     </message>
     <message>
-        <source>reads the consent text</source>
-        <translation>liest die Einwilligung</translation>
-    </message>
-    <message>
-        <source>reads the instructions</source>
-        <translation>liest die Anleitung</translation>
-    </message>
-    <message>
-        <source>is answering a question</source>
-        <translation>beantwortet eine Frage</translation>
-    </message>
-    <message>
-        <source>is resting</source>
-        <translation>ruht sich aus</translation>
-    </message>
-    <message>
-        <source>pauses</source>
-        <translation>macht eine Pause</translation>
-    </message>
-    <message>
-        <source>waits for you: a device was disconnected</source>
-        <translation>wartet auf Sie: Ein Gerät wurde getrennt</translation>
-    </message>
-    <message>
-        <source>is done and waits for you</source>
-        <translation>ist fertig und wartet auf Sie</translation>
-    </message>
-    <message>
         <source>%1: %2 of %3 answered; %4</source>
         <translation>%1: %2 von %3 beantwortet; %4</translation>
     </message>
@@ -4170,6 +4134,38 @@ Lizenz: %3</translation>
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>the sound device of the vibration, on its next channels</source>
+        <translation>das Tongerät der Vibration, auf dessen nächsten Kanälen</translation>
+    </message>
+    <message>
+        <source>reading the consent text</source>
+        <translation>liest den Einwilligungstext</translation>
+    </message>
+    <message>
+        <source>reading the instructions</source>
+        <translation>liest die Anleitung</translation>
+    </message>
+    <message>
+        <source>answering a question</source>
+        <translation>beantwortet eine Frage</translation>
+    </message>
+    <message>
+        <source>resting</source>
+        <translation>ruht sich aus</translation>
+    </message>
+    <message>
+        <source>pausing</source>
+        <translation>macht Pause</translation>
+    </message>
+    <message>
+        <source>waiting for you: a device was disconnected</source>
+        <translation>wartet auf Sie: ein Gerät wurde getrennt</translation>
+    </message>
+    <message>
+        <source>finished, waiting for you</source>
+        <translation>fertig, wartet auf Sie</translation>
     </message>
 </context>
 <context>
@@ -4390,16 +4386,12 @@ Lizenz: %3</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Switch between A and B while pressing. Both are played at their true levels, without loudness matching.</source>
-        <translation>Beim Drücken zwischen A und B wechseln. Beide werden mit ihrem wahren Pegel wiedergegeben, ohne Angleichung der Lautstärke.</translation>
+        <source>Switch between A and B while pressing. Both are played at their true strength, without loudness matching.</source>
+        <translation>Beim Drücken zwischen A und B wechseln. Beide werden in wahrer Stärke gespielt, ohne Angleich der Lautheit.</translation>
     </message>
 </context>
 <context>
     <name>detent::editor::FeelSession</name>
-    <message>
-        <source>You are pressing %1, at its true level</source>
-        <translation>Sie drücken %1, mit wahrem Pegel</translation>
-    </message>
     <message>
         <source>Only one press can be played at a time</source>
         <translation>Es kann immer nur eine Betätigung abgespielt werden</translation>
@@ -4411,6 +4403,10 @@ Lizenz: %3</translation>
     <message>
         <source>Switch the sound on to play the reference</source>
         <translation>Schalten Sie den Ton ein, um die Referenz abzuspielen</translation>
+    </message>
+    <message>
+        <source>You are pressing %1 at its true strength</source>
+        <translation>Sie drücken %1 in wahrer Stärke</translation>
     </message>
 </context>
 <context>
@@ -4446,14 +4442,6 @@ Lizenz: %3</translation>
     <message>
         <source>&amp;Full press:</source>
         <translation>&amp;Volle Betätigung:</translation>
-    </message>
-    <message>
-        <source>Graph follows the state</source>
-        <translation>Graph folgt dem Zustand</translation>
-    </message>
-    <message>
-        <source>For a self-locking button, the graph shows the state that is felt: unlocked or locked.</source>
-        <translation>Bei einem rastenden Taster zeigt der Graph den gefühlten Zustand: gelöst oder eingerastet.</translation>
     </message>
     <message>
         <source>Which parts of the button are felt; reduced feedback serves as a baseline for comparison.</source>
@@ -4500,10 +4488,6 @@ Lizenz: %3</translation>
         <translation>Zeitverhalten:</translation>
     </message>
     <message>
-        <source>A .device file with the response of the transducer and the calibration of the sensor. Measure them with detent-play sweep and detent-play calibrate.</source>
-        <translation>Eine .device-Datei mit dem Frequenzgang des Wandlers und der Kalibrierung des Sensors. Messen Sie sie mit detent-play sweep und detent-play calibrate.</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Keines</translation>
     </message>
@@ -4536,10 +4520,6 @@ Lizenz: %3</translation>
         <translation>Abtastrate in Hz</translation>
     </message>
     <message>
-        <source>the device&apos;s own</source>
-        <translation>die des Geräts</translation>
-    </message>
-    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -4566,10 +4546,6 @@ Lizenz: %3</translation>
     <message>
         <source>Serial port of the force sensor, for example /dev/ttyACM0</source>
         <translation>Serieller Anschluss des Kraftsensors, zum Beispiel /dev/ttyACM0</translation>
-    </message>
-    <message>
-        <source>Bits per second; USB sensors ignore it</source>
-        <translation>Bits je Sekunde; USB-Sensoren beachten sie nicht</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -4652,10 +4628,6 @@ Lizenz: %3</translation>
         <translation>Keine Daten: Der Sensor sendet nicht mehr. Prüfen Sie seine Stromversorgung und Firmware.</translation>
     </message>
     <message>
-        <source>Stuck: the same force for 10 s. Remove anything pressing on the sensor. If the force stays the same, the sensor is defective.</source>
-        <translation>Hängt: seit 10 s dieselbe Kraft. Entfernen Sie, was auf den Sensor drückt. Bleibt die Kraft gleich, ist der Sensor defekt.</translation>
-    </message>
-    <message>
         <source>; %1 readings rejected, %2 lines not understood</source>
         <translation>; %1 Messwerte verworfen, %2 Zeilen nicht verstanden</translation>
     </message>
@@ -4668,12 +4640,36 @@ Lizenz: %3</translation>
         <translation>Geräteprofile (*.device);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Unplugged. Resumes when reconnected.</source>
-        <translation>Abgezogen. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
-    </message>
-    <message>
         <source>; measured delay %1 ms, standard deviation %2 ms, %3 measurements</source>
         <translation>; gemessene Verzögerung %1 ms, Standardabweichung %2 ms, %3 Messungen</translation>
+    </message>
+    <message>
+        <source>Show the state that is felt</source>
+        <translation>Gefühlten Zustand zeigen</translation>
+    </message>
+    <message>
+        <source>For a self-locking button, the graph changes to the state that is felt: unlocked or locked.</source>
+        <translation>Bei einem Taster mit Verriegelung wechselt der Graph zu dem Zustand, der gerade gefühlt wird: gelöst oder eingerastet.</translation>
+    </message>
+    <message>
+        <source>File (.device) that states how strong the transducer is at each frequency, and how the force sensor is calibrated. The command `detent-play sweep` measures the transducer, `detent-play calibrate` the sensor; the user&apos;s guide shows how.</source>
+        <translation>Datei (.device), die angibt, wie stark der Wandler bei jeder Frequenz ist und wie der Kraftsensor kalibriert ist. Der Befehl „detent-play sweep“ misst den Wandler, „detent-play calibrate“ den Sensor; das Benutzerhandbuch zeigt, wie.</translation>
+    </message>
+    <message>
+        <source>Speed of the serial port in bits per second. Sensors with a USB connection ignore it</source>
+        <translation>Geschwindigkeit der seriellen Schnittstelle in Bit je Sekunde. Sensoren mit USB-Anschluss beachten sie nicht</translation>
+    </message>
+    <message>
+        <source>The sensor has reported the same force for 10 s. Remove anything that presses on it. If the force stays the same, the sensor is defective.</source>
+        <translation>Der Sensor meldet seit 10 s dieselbe Kraft. Entfernen Sie alles, was auf ihn drückt. Bleibt die Kraft gleich, ist der Sensor defekt.</translation>
+    </message>
+    <message>
+        <source>rate of the device</source>
+        <translation>Rate des Geräts</translation>
+    </message>
+    <message>
+        <source>The force sensor is unplugged. Detent continues when it is connected again.</source>
+        <translation>Der Kraftsensor ist ausgesteckt. Detent macht weiter, sobald er wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -4968,8 +4964,8 @@ Lizenz: %3</translation>
         <translation>Im Graphen zeigen, welche Steigungen das Gerät wiedergeben kann, ohne zu schwingen</translation>
     </message>
     <message>
-        <source>The force device is disconnected and applies no force. Resumes when reconnected.</source>
-        <translation>Das Kraftgerät ist getrennt und übt keine Kraft aus. Läuft weiter, sobald es wieder angeschlossen ist.</translation>
+        <source>The force device is disconnected and applies no force. Detent continues when it is connected again.</source>
+        <translation>Das Kraftgerät ist getrennt und übt keine Kraft aus. Detent macht weiter, sobald es wieder angeschlossen ist.</translation>
     </message>
 </context>
 <context>
@@ -5085,10 +5081,6 @@ Lizenz: %3</translation>
         <translation>A&amp;nschluss:</translation>
     </message>
     <message>
-        <source>A Falcon that was just switched on needs the file that came with its driver, 7 to 9 kB; its licence forbids us to ship it</source>
-        <translation>Ein eben eingeschalteter Falcon braucht die Datei, die mit seinem Treiber kam, 7 bis 9 kB; ihre Lizenz verbietet uns, sie mitzuliefern</translation>
-    </message>
-    <message>
         <source>Fir&amp;mware:</source>
         <translation>Fir&amp;mware:</translation>
     </message>
@@ -5111,10 +5103,6 @@ Lizenz: %3</translation>
     <message>
         <source>The force never exceeds this value</source>
         <translation>Die Kraft überschreitet diesen Wert nie</translation>
-    </message>
-    <message>
-        <source>the device&apos;s own</source>
-        <translation>die des Geräts</translation>
     </message>
     <message>
         <source>&amp;Largest force:</source>
@@ -5145,10 +5133,6 @@ Lizenz: %3</translation>
         <translation>Die Kraft auf dem Mikrocontroller berechnen, in seinem eigenen Takt</translation>
     </message>
     <message>
-        <source>The force table is uploaded: there is no USB delay between position and force</source>
-        <translation>Die Krafttabelle wird hochgeladen: Zwischen Ort und Kraft liegt keine USB-Verzögerung</translation>
-    </message>
-    <message>
         <source>Add damping where the button returns more energy than it took up</source>
         <translation>Dämpfen, wo der Taster mehr Energie abgibt, als er aufnahm</translation>
     </message>
@@ -5171,6 +5155,18 @@ Lizenz: %3</translation>
     <message>
         <source>Firmware (*.bin);;All files (*)</source>
         <translation>Firmware (*.bin);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Firmware file that came with the Falcon&apos;s driver (7 to 9 kB). The Falcon needs it each time it was switched on. Its licence does not allow Detent to include it</source>
+        <translation>Firmware-Datei, die mit dem Treiber des Falcon kam (7 bis 9 kB). Der Falcon braucht sie nach jedem Einschalten. Ihre Lizenz erlaubt nicht, dass Detent sie enthält</translation>
+    </message>
+    <message>
+        <source>Uploads a table of forces to the microcontroller, so that no USB delay lies between position and force</source>
+        <translation>Überträgt eine Tabelle der Kräfte auf den Mikrocontroller, damit keine USB-Verzögerung zwischen Position und Kraft liegt</translation>
+    </message>
+    <message>
+        <source>limit of the device</source>
+        <translation>Grenze des Geräts</translation>
     </message>
 </context>
 <context>
@@ -5196,8 +5192,8 @@ Lizenz: %3</translation>
         <translation>Es wird gesucht …</translation>
     </message>
     <message>
-        <source>No change of snap ratio, travel or force alone, by up to a factor of 4, is certain to make the buttons distinguishable</source>
-        <translation>Keine Änderung von Schnappverhältnis, Weg oder Kraft allein, bis zum Faktor 4, macht die Taster sicher unterscheidbar</translation>
+        <source>Detent found no such change. Even if the snap ratio, the travel or the force of button A changes by a factor of 4, people may still confuse the buttons</source>
+        <translation>Detent hat keine solche Änderung gefunden. Selbst wenn sich Schnappverhältnis, Weg oder Kraft von Taster A um den Faktor 4 ändern, kann man die Taster noch verwechseln</translation>
     </message>
 </context>
 <context>
@@ -5227,12 +5223,12 @@ Lizenz: %3</translation>
         <translation>Öffnen Sie zwei Taster oder mehr, um sie zu vergleichen.</translation>
     </message>
     <message>
-        <source>Number of wrong answers predicted if people compare two buttons by feel 90 times. 45 means guessing. With at most 9, people can tell the buttons apart; bold numbers are not certain. Double-click a number to compare the two.</source>
-        <translation>Zahl der vorhergesagten falschen Antworten, wenn Menschen zwei Taster 90-mal nach Gefühl vergleichen. 45 bedeutet Raten. Bei höchstens 9 lassen sich die Taster unterscheiden; fette Zahlen sind nicht sicher. Ein Doppelklick auf eine Zahl vergleicht die beiden.</translation>
-    </message>
-    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Number of wrong answers predicted if people compare two buttons by feel 90 times. 45 means that they guess. 9 or fewer means that they can tell the buttons apart. Bold numbers are not certain. Double-click a number to compare the two buttons.</source>
+        <translation>Vorhergesagte Anzahl falscher Antworten, wenn Menschen zwei Taster 90-mal durch Fühlen vergleichen. 45 bedeutet, dass sie raten. 9 oder weniger bedeutet, dass sie die Taster unterscheiden können. Fette Zahlen sind nicht sicher. Ein Doppelklick auf eine Zahl vergleicht die zwei Taster.</translation>
     </message>
 </context>
 <context>
@@ -5248,10 +5244,6 @@ Lizenz: %3</translation>
     <message>
         <source>Glossary</source>
         <translation>Glossar</translation>
-    </message>
-    <message>
-        <source>Solid: the press. Dashed: the release. Red: what the term means.</source>
-        <translation>Durchgezogen: Drücken. Gestrichelt: Loslassen. Rot: was der Begriff bedeutet.</translation>
     </message>
     <message>
         <source>Operating point</source>
@@ -5300,6 +5292,10 @@ Lizenz: %3</translation>
     <message>
         <source>On its way back the button pushes less (dashed), and the contact opens later, at the reset point. The area between the curves is the energy that a press loses.</source>
         <translation>Auf dem Rückweg drückt der Taster schwächer (gestrichelt), und der Kontakt öffnet später, am Rückschaltpunkt. Die Fläche zwischen den Kurven ist die Energie, die bei einem Druck verloren geht.</translation>
+    </message>
+    <message>
+        <source>Solid: the press. Dashed: the release. Red: the part that the term names.</source>
+        <translation>Durchgezogen: Drücken. Gestrichelt: Loslassen. Rot: der Teil, den der Begriff benennt.</translation>
     </message>
 </context>
 <context>
@@ -5802,10 +5798,6 @@ Lizenz: %3</translation>
         <translation>G&amp;eschwindigkeit</translation>
     </message>
     <message>
-        <source>Speed whose graph you edit; it is also used where the speed is not known. Graphs of other speeds are drawn thin.</source>
-        <translation>Geschwindigkeit, deren Graphen Sie bearbeiten; er gilt auch, wo die Geschwindigkeit nicht bekannt ist. Graphen anderer Geschwindigkeiten sind dünn gezeichnet.</translation>
-    </message>
-    <message>
         <source>Speed of the graph</source>
         <translation>Geschwindigkeit des Graphen</translation>
     </message>
@@ -5820,6 +5812,10 @@ Lizenz: %3</translation>
     <message>
         <source>Drag from one place to another to measure travel, force and slope between them</source>
         <translation>Von einer Stelle zur anderen ziehen, um Weg, Kraft und Steigung dazwischen zu messen</translation>
+    </message>
+    <message>
+        <source>Speed of the graph that you edit. This graph is also used where the speed of a press is not known. Graphs of other speeds are drawn thin.</source>
+        <translation>Geschwindigkeit des Graphen, den Sie bearbeiten. Dieser Graph gilt auch, wo die Geschwindigkeit eines Tastendrucks nicht bekannt ist. Graphen anderer Geschwindigkeiten sind dünn gezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -6372,16 +6368,16 @@ Lizenz: %3</translation>
         <translation>Es ist kein Rückschaltpunkt gesetzt. Setzen Sie ihn unter Bearbeiten &gt; Kurve &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
     </message>
     <message>
-        <source>Needs an operating point and a reset point: Edit &gt; Curve &gt; Operating and reset point (Ctrl+Shift+O).</source>
-        <translation>Braucht Schalt- und Rückschaltpunkt: Bearbeiten &gt; Kurve &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
-    </message>
-    <message>
         <source>The button has no release curve. Add one with Edit &gt; Curve &gt; Mirror press to release.</source>
         <translation>Der Taster hat keinen Rückweg. Fügen Sie ihn mit Bearbeiten &gt; Kurve &gt; Hinweg zum Rückweg spiegeln hinzu.</translation>
     </message>
     <message>
         <source>The press has no tactile point. Add one with Edit &gt; Curve &gt; Add jump (Ctrl+Shift+J).</source>
         <translation>Der Hinweg hat keinen Druckpunkt. Fügen Sie ihn mit Bearbeiten &gt; Kurve &gt; Sprung hinzufügen (Strg+Umschalt+J) hinzu.</translation>
+    </message>
+    <message>
+        <source>This figure needs an operating point and a reset point: Edit &gt; Curve &gt; Operating and reset point (Ctrl+Shift+O).</source>
+        <translation>Diese Kennzahl braucht Schalt- und Rückschaltpunkt: Bearbeiten &gt; Kurve &gt; Schalt- und Rückschaltpunkt (Strg+Umschalt+O).</translation>
     </message>
 </context>
 <context>
@@ -6797,10 +6793,6 @@ Lizenz: %3</translation>
         <translation>Taster B zum Vergleichen</translation>
     </message>
     <message>
-        <source>Second button (B), to press in turn with the one shown</source>
-        <translation>Zweiter Taster (B), abwechselnd mit dem gezeigten zu drücken</translation>
-    </message>
-    <message>
         <source>Displacement and force under the mouse</source>
         <translation>Weg und Kraft unter der Maus</translation>
     </message>
@@ -7197,20 +7189,8 @@ Lizenz: %3</translation>
         <translation>Einen Taster erzeugen, der zwischen zwei offenen Tastern liegt</translation>
     </message>
     <message>
-        <source>Create the mean of several units of one button, and show their spread</source>
-        <translation>Aus mehreren Exemplaren einen mittleren Taster erzeugen und ihre Streuung zeigen</translation>
-    </message>
-    <message>
         <source>Samples with d&amp;ecimal commas (CSV)…</source>
         <translation>Kurvenwerte mit D&amp;ezimalkommas (CSV) …</translation>
-    </message>
-    <message>
-        <source>Data pac&amp;kage (Frictionless)…</source>
-        <translation>Datenpa&amp;ket (Frictionless) …</translation>
-    </message>
-    <message>
-        <source>Write a folder of tables (curve and key figures), with a description of every column and its unit</source>
-        <translation>Einen Ordner mit Tabellen (Kurve und Kennzahlen) schreiben, mit einer Beschreibung jeder Spalte und ihrer Einheit</translation>
     </message>
     <message>
         <source>WebPlotDigitizer p&amp;roject…</source>
@@ -7444,6 +7424,22 @@ Lizenz: %3</translation>
         <source>Show each button in the units of the page that it was read from</source>
         <translation>Jeden Taster in den Einheiten der Seite zeigen, von der er gelesen wurde</translation>
     </message>
+    <message>
+        <source>Second button (B), which you can press in turn with the button shown</source>
+        <translation>Zweiter Taster (B), den Sie abwechselnd mit dem gezeigten drücken können</translation>
+    </message>
+    <message>
+        <source>Data pac&amp;kage (described tables)…</source>
+        <translation>Datenpa&amp;ket (beschriebene Tabellen) …</translation>
+    </message>
+    <message>
+        <source>Write a folder of tables (curve and key figures), with a description of every column and its unit, as the standard Frictionless Data Package requires</source>
+        <translation>Einen Ordner mit Tabellen (Kurve und Kennzahlen) schreiben, mit einer Beschreibung jeder Spalte und ihrer Einheit, wie es der Standard Frictionless Data Package verlangt</translation>
+    </message>
+    <message>
+        <source>Create the mean of several specimens of one button, and show their spread</source>
+        <translation>Aus mehreren Exemplaren einen mittleren Taster erzeugen und ihre Streuung zeigen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -7592,10 +7588,6 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Sammlung ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Show a library that detent-import has made</source>
-        <translation>Eine Sammlung zeigen, die detent-import angelegt hat</translation>
-    </message>
-    <message>
         <source>Folders and files of the library</source>
         <translation>Ordner und Dateien der Sammlung</translation>
     </message>
@@ -7618,10 +7610,6 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
     <message>
         <source>Include &amp;datasheets</source>
         <translation>&amp;Datenblätter einbeziehen</translation>
-    </message>
-    <message>
-        <source>Also read force graphs from PDF, SVG and picture files in the folders: some seconds per page, once</source>
-        <translation>Auch Kraftgraphen aus PDF-, SVG- und Bilddateien der Ordner lesen: einmalig einige Sekunden je Seite</translation>
     </message>
     <message>
         <source>&amp;Open another library…</source>
@@ -7738,6 +7726,14 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
     <message>
         <source>Written: %1.</source>
         <translation>Geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Show a library file that the command `detent-import library` made</source>
+        <translation>Eine Bibliotheksdatei zeigen, die der Befehl „detent-import library“ angelegt hat</translation>
+    </message>
+    <message>
+        <source>Also read force graphs from PDF, SVG and picture files in the folders. This takes some seconds per page, but only the first time</source>
+        <translation>Auch Kraftgraphen aus PDF-, SVG- und Bilddateien in den Ordnern lesen. Das dauert einige Sekunden je Seite, aber nur beim ersten Mal</translation>
     </message>
 </context>
 <context>
@@ -8041,12 +8037,12 @@ Gegenüber dem gezeigten Taster: %2</translation>
 <context>
     <name>detent::editor::PageReturn</name>
     <message>
-        <source>This is not the datasheet that the button was read from, %1. Choose that file.</source>
-        <translation>Das ist nicht das Datenblatt, aus dem der Taster gelesen wurde, %1. Wählen Sie diese Datei.</translation>
-    </message>
-    <message>
         <source>%1 was found, but the graph could not be read again. %2</source>
         <translation>%1 wurde gefunden, aber der Graph ließ sich nicht noch einmal lesen. %2</translation>
+    </message>
+    <message>
+        <source>The button was read from another datasheet, %1. Choose that file.</source>
+        <translation>Der Taster wurde aus einem anderen Datenblatt gelesen, %1. Wählen Sie diese Datei.</translation>
     </message>
 </context>
 <context>
@@ -8422,16 +8418,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rückschaltpunkt</translation>
     </message>
     <message>
-        <source>A point you set is left out: %1</source>
-        <translation>Ein Punkt, den Sie gesetzt haben, ist weggelassen: %1</translation>
-    </message>
-    <message>
         <source>On the page you can drag or delete these points. Right-click the curve to add one.</source>
         <translation>Auf der Seite können Sie diese Punkte ziehen oder löschen. Ein Rechtsklick auf die Kurve fügt einen hinzu.</translation>
     </message>
     <message>
         <source>Total travel %1</source>
         <translation>Gesamtweg %1</translation>
+    </message>
+    <message>
+        <source>One of the points that you set was left out: %1</source>
+        <translation>Einer der von Ihnen gesetzten Punkte wurde ausgelassen: %1</translation>
     </message>
 </context>
 <context>
@@ -8697,10 +8693,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird bei der ersten Betätigung geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
     </message>
     <message>
-        <source>How strong the strongest 10 ms of the last 1.5 s felt, in dB above what a fingertip can just feel. The device profile states how strong the device is; ≈ means that this was not measured (sweep) but assumed.</source>
-        <translation>Wie stark sich die stärksten 10 ms der letzten 1,5 s anfühlten, in dB über dem, was eine Fingerkuppe gerade fühlt. Wie stark das Gerät ist, steht im Geräteprofil; ≈ heißt, dass das nicht gemessen (sweep), sondern angenommen ist.</translation>
-    </message>
-    <message>
         <source>felt %1 dB</source>
         <translation>fühlbar %1 dB</translation>
     </message>
@@ -8768,6 +8760,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>No audio output. Presses are tracked without sound. %1</source>
         <translation>Keine Tonausgabe. Betätigungen werden ohne Ton verfolgt. %1</translation>
     </message>
+    <message>
+        <source>Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest vibration that a fingertip feels. It is computed from the strength of the transducer in the device profile. ≈ means that this strength was not measured, but assumed.</source>
+        <translation>Stärke der stärksten 10 ms in den letzten 1,5 s, in dB über der schwächsten Vibration, die eine Fingerspitze fühlt. Sie wird aus der Stärke des Wandlers im Geräteprofil berechnet. ≈ bedeutet, dass diese Stärke nicht gemessen, sondern angenommen ist.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyMaker</name>
@@ -8790,14 +8786,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>The participants&apos; task</source>
         <translation>Aufgabe der Versuchspersonen</translation>
-    </message>
-    <message>
-        <source>Which of two is X?</source>
-        <translation>Welcher von zweien ist X?</translation>
-    </message>
-    <message>
-        <source>Which of all is X?</source>
-        <translation>Welcher von allen ist X?</translation>
     </message>
     <message>
         <source>Practice questions, which do not count</source>
@@ -8840,10 +8828,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>keines (wählbar im Bereich „Fühlen“ unter „Einrichtung“)</translation>
     </message>
     <message>
-        <source>A new folder; it holds the whole study and can be copied</source>
-        <translation>Ein neuer Ordner; er enthält die ganze Studie und lässt sich kopieren</translation>
-    </message>
-    <message>
         <source>&amp;Choose…</source>
         <translation>&amp;Wählen …</translation>
     </message>
@@ -8870,18 +8854,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Questions for each participant: %1, about %2 minutes.</source>
         <translation>Fragen an jede Versuchsperson: %1, etwa %2 Minuten.</translation>
-    </message>
-    <message>
-        <source>Which of two has more? (threshold)</source>
-        <translation>Welcher von zweien hat mehr? (Schwelle)</translation>
-    </message>
-    <message>
-        <source>How is it? (rating)</source>
-        <translation>Wie ist er? (Bewertung)</translation>
-    </message>
-    <message>
-        <source>Quantity that is increased. The study adapts the amount to the answers</source>
-        <translation>Größe, die erhöht wird. Die Studie passt den Betrag den Antworten an</translation>
     </message>
     <message>
         <source>force</source>
@@ -8924,10 +8896,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Zahl der Fragen je Paar oder Taster und je Art der Rückmeldung</translation>
     </message>
     <message>
-        <source>Mo&amp;re of:</source>
-        <translation>&amp;Mehr von:</translation>
-    </message>
-    <message>
         <source>&amp;Scale:</source>
         <translation>S&amp;kala:</translation>
     </message>
@@ -8960,20 +8928,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Texte (*.txt)</translation>
     </message>
     <message>
-        <source>When is it pressed? (timing)</source>
-        <translation>Wann wird gedrückt? (Timing)</translation>
-    </message>
-    <message>
         <source>Press:</source>
         <translation>Drücken:</translation>
-    </message>
-    <message>
-        <source>Inter&amp;vals, s:</source>
-        <translation>Inter&amp;valle, s:</translation>
-    </message>
-    <message>
-        <source>&amp;Windows, s:</source>
-        <translation>&amp;Zeitfenster, s:</translation>
     </message>
     <message>
         <source>Seconds per r&amp;un:</source>
@@ -8988,28 +8944,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>mit dem letzten von vier Schlägen</translation>
     </message>
     <message>
-        <source>while a ball is in its window</source>
-        <translation>während ein Ball in seinem Fenster ist</translation>
-    </message>
-    <message>
         <source>as fast as can be kept up</source>
         <translation>so schnell es durchzuhalten ist</translation>
     </message>
     <message>
-        <source>Time between beats, or from the ball&apos;s start to its window, %1 to %2 s. Separate several with semicolons</source>
-        <translation>Zeit zwischen den Schlägen oder vom Start des Balls bis zu seinem Fenster, %1 bis %2 s. Mehrere durch Semikolon trennen</translation>
-    </message>
-    <message>
-        <source>How long the window is open, %1 to %2 s. Separate several with semicolons</source>
-        <translation>Wie lange das Fenster offen ist, %1 bis %2 s. Mehrere durch Semikolon trennen</translation>
-    </message>
-    <message>
         <source>Seconds from the first press, %1 to %2</source>
         <translation>Sekunden ab dem ersten Tastendruck, %1 bis %2</translation>
-    </message>
-    <message>
-        <source>Are the two the same?</source>
-        <translation>Sind die zwei gleich?</translation>
     </message>
     <message>
         <source>Soun&amp;d:</source>
@@ -9018,14 +8958,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Recordin&amp;g:</source>
         <translation>Aufna&amp;hme:</translation>
-    </message>
-    <message>
-        <source>&amp;Level, dB:</source>
-        <translation>P&amp;egel, dB:</translation>
-    </message>
-    <message>
-        <source>Dela&amp;y, ms:</source>
-        <translation>Verz&amp;ögerung, ms:</translation>
     </message>
     <message>
         <source>What participants hear of each press, beside the vibration</source>
@@ -9074,6 +9006,70 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>A sound file of at most 5 s that begins with the click; it plays once per press</source>
         <translation>Eine Tondatei von höchstens 5 s, die mit dem Klick beginnt; sie erklingt einmal je Druck</translation>
+    </message>
+    <message>
+        <source>Are two buttons the same? (same or different)</source>
+        <translation>Sind zwei Taster gleich? (gleich oder verschieden)</translation>
+    </message>
+    <message>
+        <source>Which of all buttons is X? (matching)</source>
+        <translation>Welcher von allen Tastern ist X? (Zuordnung)</translation>
+    </message>
+    <message>
+        <source>Which of two buttons has more of a quantity? (threshold)</source>
+        <translation>Welcher von zwei Tastern hat mehr von einer Größe? (Schwelle)</translation>
+    </message>
+    <message>
+        <source>How does a button feel? (rating)</source>
+        <translation>Wie fühlt sich ein Taster an? (Bewertung)</translation>
+    </message>
+    <message>
+        <source>When do participants press? (timing)</source>
+        <translation>Wann drücken Versuchspersonen? (Timing)</translation>
+    </message>
+    <message>
+        <source>One of the two buttons has more of this quantity. The study adapts the difference to the answers</source>
+        <translation>Einer der zwei Taster hat mehr von dieser Größe. Die Studie passt den Unterschied den Antworten an</translation>
+    </message>
+    <message>
+        <source>Inc&amp;reased quantity:</source>
+        <translation>Erhöhte &amp;Größe:</translation>
+    </message>
+    <message>
+        <source>Inter&amp;vals in s:</source>
+        <translation>Inter&amp;valle in s:</translation>
+    </message>
+    <message>
+        <source>Time &amp;windows in s:</source>
+        <translation>&amp;Zeitfenster in s:</translation>
+    </message>
+    <message>
+        <source>Sound &amp;level in dB:</source>
+        <translation>P&amp;egel in dB:</translation>
+    </message>
+    <message>
+        <source>Sound dela&amp;y in ms:</source>
+        <translation>Verz&amp;ögerung in ms:</translation>
+    </message>
+    <message>
+        <source>while a ball is between two bars</source>
+        <translation>während eine Kugel zwischen zwei Balken ist</translation>
+    </message>
+    <message>
+        <source>Time between beats, or from the ball&apos;s start until it reaches the bars, %1 to %2 s. Separate several with semicolons</source>
+        <translation>Zeit zwischen den Schlägen, oder vom Start der Kugel bis zu den Balken, %1 bis %2 s. Mehrere mit Semikolon trennen</translation>
+    </message>
+    <message>
+        <source>Time for which the ball is between the bars, %1 to %2 s. Separate several with semicolons</source>
+        <translation>Zeit, für die die Kugel zwischen den Balken ist, %1 bis %2 s. Mehrere mit Semikolon trennen</translation>
+    </message>
+    <message>
+        <source>Which of two buttons is X? (ABX)</source>
+        <translation>Welcher von zwei Tastern ist X? (ABX)</translation>
+    </message>
+    <message>
+        <source>New folder that will hold the whole study. It can be copied to another computer</source>
+        <translation>Neuer Ordner, der die ganze Studie enthalten wird. Er lässt sich auf einen anderen Rechner kopieren</translation>
     </message>
 </context>
 <context>
@@ -9125,10 +9121,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Yes, stop</source>
         <translation>Ja, aufhören</translation>
-    </message>
-    <message>
-        <source>That was the last one. Thank you.</source>
-        <translation>Das war die letzte. Vielen Dank.</translation>
     </message>
     <message>
         <source>Practice: question %1 of %2</source>
@@ -9398,6 +9390,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Feel both, then say whether they are the same. If you are not sure, guess.</source>
         <translation>Fühlen Sie beide und sagen Sie dann, ob sie gleich sind. Wenn Sie unsicher sind, raten Sie.</translation>
     </message>
+    <message>
+        <source>That was the last question. Thank you.</source>
+        <translation>Das war die letzte Frage. Vielen Dank.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::SwitchMap</name>
@@ -9576,10 +9572,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rückweg: Abschnitte (Endpunkt)</translation>
     </message>
     <message>
-        <source>Slope right of the curve point; of a section, from end to end</source>
-        <translation>Steigung rechts vom Kurvenpunkt; bei einem Abschnitt von Ende zu Ende</translation>
-    </message>
-    <message>
         <source>Item</source>
         <translation>Element</translation>
     </message>
@@ -9594,6 +9586,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Slope after</source>
         <translation>Steigung danach</translation>
+    </message>
+    <message>
+        <source>Slope right of the curve point. For a section: mean slope from its start to its end</source>
+        <translation>Steigung rechts vom Kurvenpunkt. Bei einem Abschnitt: mittlere Steigung von seinem Anfang bis zu seinem Ende</translation>
     </message>
 </context>
 <context>
@@ -9652,28 +9648,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Rahmen von Hand eingegeben</translation>
     </message>
     <message>
-        <source>%1 of 4 edges are drawn, with %2 vertical and %3 horizontal lines or ticks</source>
-        <translation>%1 von 4 Kanten sind gezeichnet, mit %2 senkrechten und %3 waagerechten Linien oder Teilstrichen</translation>
-    </message>
-    <message>
-        <source>%1 tick labels below and %2 beside a rectangle of lines</source>
-        <translation>%1 Beschriftungen unter und %2 neben einem Rechteck aus Linien</translation>
-    </message>
-    <message>
         <source>%1: entered by hand</source>
         <translation>%1: von Hand eingegeben</translation>
-    </message>
-    <message>
-        <source>drawn as one loop; the course of the loop tells press from release</source>
-        <translation>als eine Schleife gezeichnet; Hinweg und Rückweg aus ihrem Verlauf bestimmt</translation>
-    </message>
-    <message>
-        <source>named by the legend</source>
-        <translation>von der Legende benannt</translation>
-    </message>
-    <message>
-        <source>press lies above release along %1 of the travel where they differ</source>
-        <translation>der Hinweg liegt auf %1 des Wegs, auf dem beide sich unterscheiden, über dem Rückweg</translation>
     </message>
     <message>
         <source>one of the curves reaches a higher force</source>
@@ -9684,32 +9660,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>beide Kurven enden an verschiedenen Punkten, wie Kurven zweier Schalter</translation>
     </message>
     <message>
-        <source>one curve: press only</source>
-        <translation>eine Kurve: nur der Hinweg</translation>
-    </message>
-    <message>
-        <source>one curve: taken as the press, although the legend calls it release</source>
-        <translation>eine Kurve: als Hinweg genommen, obwohl die Legende sie Rückweg nennt</translation>
-    </message>
-    <message>
-        <source>one curve: taken as the press, although the legend also names a release (&quot;%1&quot;)</source>
-        <translation>eine Kurve: als Hinweg genommen, obwohl die Legende auch einen Rückweg nennt („%1“)</translation>
-    </message>
-    <message>
-        <source>press and release swapped by hand</source>
-        <translation>Hinweg und Rückweg von Hand vertauscht</translation>
-    </message>
-    <message>
-        <source>%1 numbers in a row and %2 in a column, but no rectangle of lines</source>
-        <translation>%1 Zahlen in einer Zeile und %2 in einer Spalte, aber kein Rechteck aus Linien</translation>
-    </message>
-    <message>
         <source>the frame was widened to its outermost tick labels</source>
         <translation>der Rahmen wurde bis zu seinen äußersten Skalenzahlen erweitert</translation>
-    </message>
-    <message>
-        <source>no name is &quot;%1&quot;; the nearest name that was read is &quot;%2&quot;</source>
-        <translation>keine Kurve heißt „%1“; der ähnlichste gelesene Name ist „%2“</translation>
     </message>
     <message>
         <source>the start of a stroke is hidden under another curve and was taken from that curve</source>
@@ -9726,18 +9678,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the traced points do not form a curve (the fit deviates from them by %1 px)</source>
         <translation>die abgelesenen Punkte ergeben keine Kurve (die Anpassung weicht um %1 px von ihnen ab)</translation>
-    </message>
-    <message>
-        <source>the graph %1</source>
-        <translation>der Graph %1</translation>
-    </message>
-    <message>
-        <source>its %1 numbers do not form an even scale</source>
-        <translation>ihre %1 Zahlen bilden keine gleichmäßige Skala</translation>
-    </message>
-    <message>
-        <source>its %1 numbers decrease, and the plot could not be turned round</source>
-        <translation>ihre %1 Zahlen nehmen ab, und das Diagramm ließ sich nicht umkehren</translation>
     </message>
     <message>
         <source>this is more likely a drawing than a force graph (%1)</source>
@@ -9812,10 +9752,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Kraftachse beginnt bei %1, aber eine Kurve geht unter diesen Wert</translation>
     </message>
     <message>
-        <source>a line like a curve was not traced around %1, %2</source>
-        <translation>bei %1, %2 wurde eine Linie, die einer Kurve gleicht, nicht abgelesen</translation>
-    </message>
-    <message>
         <source>you gave the colour %1 here, but the legend calls the curve of that colour &quot;%2&quot;</source>
         <translation>Sie haben hier die Farbe %1 angegeben, die Legende nennt die Kurve dieser Farbe aber „%2“</translation>
     </message>
@@ -9828,28 +9764,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Legende nennt auch Hübe von „%1“, die nicht abgelesen wurden</translation>
     </message>
     <message>
-        <source>two readings of the page differ: a travel of %1, but a travel of %2 when the page is drawn at another size</source>
-        <translation>zwei Lesungen der Seite unterscheiden sich: ein Weg von %1, aber ein Weg von %2, wenn die Seite in anderer Größe gezeichnet wird</translation>
-    </message>
-    <message>
         <source>the first reading of the page was not certain (%1); two readings at other sizes agree and were used</source>
         <translation>die erste Lesung der Seite war nicht sicher (%1); zwei Lesungen in anderen Größen stimmen überein und wurden verwendet</translation>
     </message>
     <message>
-        <source>a travel of %1</source>
-        <translation>ein Weg von %1</translation>
-    </message>
-    <message>
         <source>the time limit of %1 s was reached; the best reading so far was used</source>
         <translation>die Zeitgrenze von %1 s ist erreicht; verwendet wurde die bis dahin beste Lesung</translation>
-    </message>
-    <message>
-        <source>%1 with up to %2</source>
-        <translation>%1 mit bis zu %2</translation>
-    </message>
-    <message>
-        <source>%1 with up to %2, without a release</source>
-        <translation>%1 mit bis zu %2, ohne Rückweg</translation>
     </message>
     <message>
         <source>the traced curve runs over blank paper around %1, %2</source>
@@ -9884,56 +9804,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Seite %1: %2</translation>
     </message>
     <message>
-        <source>no unit found on the %1 axis: taken as %2</source>
-        <translation>keine Einheit an der Achse %1 gefunden: für %2 genommen</translation>
-    </message>
-    <message>
-        <source>no unit found on the %1 axis: taken as N because the axis ends at 5 or below</source>
-        <translation>keine Einheit an der Achse %1 gefunden: als N genommen, weil die Achse bei 5 oder darunter endet</translation>
-    </message>
-    <message>
-        <source>no unit found on the %1 axis: taken as gf because the axis ends above 5</source>
-        <translation>keine Einheit an der Achse %1 gefunden: als gf genommen, weil die Achse über 5 endet</translation>
-    </message>
-    <message>
-        <source>the label &quot;%1&quot; on the %2 axis was ignored: by the other labels, its place is at %3</source>
-        <translation>die Beschriftung „%1“ der Achse %2 wurde nicht beachtet: Nach den anderen liegt ihre Stelle bei %3</translation>
-    </message>
-    <message>
         <source>the %1 axis has no ticks: its scale was taken from the positions of its numbers</source>
         <translation>die Achse %1 hat keine Teilstriche: Ihre Skala wurde aus den Stellen ihrer Zahlen bestimmt</translation>
     </message>
     <message>
-        <source>no unit of displacement found: taken as %1</source>
-        <translation>keine Einheit des Wegs gefunden: für %1 genommen</translation>
-    </message>
-    <message>
-        <source>no unit of force found: taken as %1 from the size of the numbers</source>
-        <translation>keine Einheit der Kraft gefunden: nach der Größe der Zahlen für %1 genommen</translation>
-    </message>
-    <message>
-        <source>compression is negative in this file: forces were made positive</source>
-        <translation>Druckkräfte sind in dieser Datei negativ: Die Kräfte wurden positiv gemacht</translation>
-    </message>
-    <message>
-        <source>displacement falls while force rises in this file: its direction was reversed</source>
-        <translation>der Weg fällt in dieser Datei, während die Kraft steigt: Seine Richtung wurde umgekehrt</translation>
-    </message>
-    <message>
-        <source>the log holds %1 presses: the first complete cycle was taken</source>
-        <translation>das Protokoll enthält %1 Betätigungen: Die erste vollständige wurde genommen</translation>
-    </message>
-    <message>
-        <source>displacement starts at %1: shifted so that the press starts at zero</source>
-        <translation>der Weg beginnt bei %1: so verschoben, dass der Hinweg bei null beginnt</translation>
-    </message>
-    <message>
         <source>a force of %1 before contact was subtracted as offset of the force meter</source>
         <translation>eine Kraft von %1 vor der Berührung wurde als Nullpunktfehler des Messgeräts abgezogen</translation>
-    </message>
-    <message>
-        <source>the log is long: every %1 rows were averaged into one</source>
-        <translation>das Protokoll ist lang: Je %1 Zeilen wurden zu einer gemittelt</translation>
     </message>
     <message>
         <source>%1 of %2 rows do not hold two usable numbers and were left out, the first in line %3 (&quot;%4&quot;)</source>
@@ -9950,10 +9826,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the same graph is drawn %1 times (%2); the one on page %3 was used, as it is the most certain</source>
         <translation>derselbe Graph ist %1 Mal gezeichnet (%2); verwendet wurde der auf Seite %3, der am sichersten ist</translation>
-    </message>
-    <message>
-        <source>%1 graphs found; this is the most certain one (page %2, graph %3)</source>
-        <translation>%1 Graphen gefunden; dies ist der sicherste (Seite %2, Graph %3)</translation>
     </message>
     <message>
         <source>%1</source>
@@ -9985,7 +9857,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>this is a folder, not a file</source>
-        <translation>das ist ein Ordner, keine Datei</translation>
+        <translation>dies ist ein Ordner, keine Datei</translation>
     </message>
     <message>
         <source>Choose one of the files in the folder</source>
@@ -9993,7 +9865,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>this is not an ordinary file</source>
-        <translation>das ist keine gewöhnliche Datei</translation>
+        <translation>dies ist keine gewöhnliche Datei</translation>
     </message>
     <message>
         <source>Save the content to an ordinary file and import that file</source>
@@ -10160,24 +10032,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>diese Fassung von Detent kann keine %1-Dateien lesen (sie wurde ohne MuPDF gebaut)</translation>
     </message>
     <message>
-        <source>Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that</source>
-        <translation>Bauen Sie mit DETENT_WITH_MUPDF=ON, oder exportieren Sie die Seite als PNG mit mindestens 300 dpi, und importieren Sie das</translation>
-    </message>
-    <message>
         <source>Remove from the file all values that the sensor did not measure</source>
         <translation>Entfernen Sie aus der Datei alle Werte, die der Sensor nicht gemessen hat</translation>
     </message>
     <message>
-        <source>it cannot be read: %1</source>
-        <translation>sie kann nicht gelesen werden: %1</translation>
-    </message>
-    <message>
         <source>the disk is full or failed: %1</source>
         <translation>der Datenträger ist voll oder fehlerhaft: %1</translation>
-    </message>
-    <message>
-        <source>it cannot be opened: %1</source>
-        <translation>sie kann nicht geöffnet werden: %1</translation>
     </message>
     <message>
         <source>the library is not complete: %1</source>
@@ -10206,10 +10066,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>&apos;%1&apos; is not the name of a page</source>
         <translation>„%1“ ist nicht der Name einer Seite</translation>
-    </message>
-    <message>
-        <source>there is no %1</source>
-        <translation>es gibt kein %1</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not the name of a button</source>
@@ -10268,10 +10124,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Weg der Punkte läuft hin und her</translation>
     </message>
     <message>
-        <source>Split press and release before fitting, each in the order travelled</source>
-        <translation>Hinweg und Rückweg vor dem Anpassen trennen, jeden in der Reihenfolge des Wegs</translation>
-    </message>
-    <message>
         <source>Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page</source>
         <translation>Zwei gegenüberliegende Ecken oder vier (oben links, oben rechts, unten rechts, unten links) auf der Seite angeben</translation>
     </message>
@@ -10282,10 +10134,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the plot frame is smaller than 16 pixels</source>
         <translation>der Rahmen ist kleiner als 16 Pixel</translation>
-    </message>
-    <message>
-        <source>it is a WebPlotDigitizer project of an unknown version; only 3 and 4 can be read</source>
-        <translation>es ist ein Projekt des WebPlotDigitizers in einer unbekannten Version; nur 3 und 4 sind lesbar</translation>
     </message>
     <message>
         <source>Export the data sets as CSV</source>
@@ -10306,10 +10154,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the points jump between two curves</source>
         <translation>die Punkte springen zwischen zwei Kurven</translation>
-    </message>
-    <message>
-        <source>Use one data set for the press and one for the release, and name them so</source>
-        <translation>Verwenden Sie einen Datensatz für den Hinweg und einen für den Rückweg, und nennen Sie sie „press“ und „release“</translation>
     </message>
     <message>
         <source>all data sets are named as releases</source>
@@ -10376,36 +10220,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Kurve hat weniger als zwei Punkte</translation>
     </message>
     <message>
-        <source>holds no curve</source>
-        <translation>enthält keine Kurve</translation>
-    </message>
-    <message>
-        <source>is empty: it shows only paper and gridlines</source>
-        <translation>ist leer: Es zeigt nur Papier und Gitterlinien</translation>
-    </message>
-    <message>
-        <source>shows no line in the colours given</source>
-        <translation>zeigt keine Linie in den angegebenen Farben</translation>
-    </message>
-    <message>
-        <source>must be above 0 and at most 16 px</source>
-        <translation>muss größer als 0 und höchstens 16 px sein</translation>
-    </message>
-    <message>
         <source>Leave the value at 1</source>
         <translation>Lassen Sie den Wert bei 1</translation>
-    </message>
-    <message>
-        <source>lies outside the picture or has no area</source>
-        <translation>liegt außerhalb des Bilds oder hat keine Fläche</translation>
-    </message>
-    <message>
-        <source>the wpd.json in it is not JSON</source>
-        <translation>die wpd.json darin ist kein JSON</translation>
-    </message>
-    <message>
-        <source>the wpd.json in it is not a WebPlotDigitizer project</source>
-        <translation>die wpd.json darin ist kein Projekt des WebPlotDigitizers</translation>
     </message>
     <message>
         <source>total travel</source>
@@ -10426,14 +10242,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>end force</source>
         <translation>Kraft am Ende</translation>
-    </message>
-    <message>
-        <source>agrees with the page: %1 %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
-        <translation>stimmt mit der Seite überein: %1 gelesen %2, gedruckt %3 (Seite %4: „%5“)</translation>
-    </message>
-    <message>
-        <source>differs from the page: %1 %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
-        <translation>weicht von der Seite ab: %1 gelesen %2, gedruckt %3 (Seite %4: „%5“)</translation>
     </message>
     <message>
         <source>Save the spreadsheet again, as xlsx, ODS or CSV</source>
@@ -10496,26 +10304,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Werte, die für die %1-Achse eingegeben sind, widersprechen den dort gedruckten Zahlen (%2)</translation>
     </message>
     <message>
-        <source>measures &quot;%1&quot;</source>
-        <translation>misst „%1“</translation>
-    </message>
-    <message>
-        <source>is logarithmic</source>
-        <translation>ist logarithmisch</translation>
-    </message>
-    <message>
-        <source>has categories instead of a scale</source>
-        <translation>zeigt Kategorien statt einer Skala</translation>
-    </message>
-    <message>
-        <source>the %1 axis %2</source>
-        <translation>die Achse %1 %2</translation>
-    </message>
-    <message>
-        <source>a second scale on the right %1</source>
-        <translation>eine zweite Skala rechts %1</translation>
-    </message>
-    <message>
         <source>Import a graph on which press and release have the same force scale</source>
         <translation>Importieren Sie einen Graphen, auf dem Hinweg und Rückweg dieselbe Kraftskala haben</translation>
     </message>
@@ -10534,10 +10322,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no force graph found (%1)</source>
         <translation>kein Kraftgraph gefunden (%1)</translation>
-    </message>
-    <message>
-        <source>also measures forces</source>
-        <translation>misst ebenfalls Kräfte</translation>
     </message>
     <message>
         <source>the table can be read in several ways: %1</source>
@@ -10570,6 +10354,210 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the curves carry error bars (%1); they are left out</source>
         <translation>die Kurven tragen Fehlerbalken (%1); sie wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>it is logarithmic</source>
+        <translation>sie ist logarithmisch</translation>
+    </message>
+    <message>
+        <source>it has categories instead of a scale</source>
+        <translation>sie zeigt Kategorien statt einer Skala</translation>
+    </message>
+    <message>
+        <source>it measures &quot;%1&quot;</source>
+        <translation>sie misst „%1“</translation>
+    </message>
+    <message>
+        <source>Separate press and release, and put the points of each into the order of the movement</source>
+        <translation>Trennen Sie Hin- und Rückweg, und bringen Sie die Punkte beider in die Reihenfolge der Bewegung</translation>
+    </message>
+    <message>
+        <source>this button has no %1</source>
+        <translation>dieser Taster hat kein %1</translation>
+    </message>
+    <message>
+        <source>Use one data set for the press and one for the release, and name them &quot;press&quot; and &quot;release&quot;</source>
+        <translation>Verwenden Sie einen Datensatz für den Hinweg und einen für den Rückweg, und nennen Sie sie „press“ und „release“</translation>
+    </message>
+    <message>
+        <source>the file wpd.json in the archive is not JSON</source>
+        <translation>die Datei wpd.json im Archiv ist kein JSON</translation>
+    </message>
+    <message>
+        <source>the file wpd.json in the archive is not a WebPlotDigitizer project</source>
+        <translation>die Datei wpd.json im Archiv ist kein WebPlotDigitizer-Projekt</translation>
+    </message>
+    <message>
+        <source>Export the page as a PNG of at least 300 dpi and import that, or install a build of Detent with MuPDF</source>
+        <translation>Exportieren Sie die Seite als PNG mit mindestens 300 dpi und importieren Sie dieses, oder installieren Sie ein Detent mit MuPDF</translation>
+    </message>
+    <message>
+        <source>%1 of the 4 edges of the frame are drawn, with %2 vertical and %3 horizontal lines or ticks</source>
+        <translation>%1 der 4 Kanten des Rahmens sind gezeichnet, mit %2 senkrechten und %3 waagrechten Linien oder Skalenstrichen</translation>
+    </message>
+    <message>
+        <source>there are %1 tick labels below and %2 beside a rectangle of lines</source>
+        <translation>unter einem Rechteck aus Linien stehen %1 Skalenzahlen, daneben %2</translation>
+    </message>
+    <message>
+        <source>press and release are drawn as one loop, whose course tells which part is which</source>
+        <translation>Hin- und Rückweg sind als eine Schleife gezeichnet, deren Verlauf zeigt, welcher Teil welcher ist</translation>
+    </message>
+    <message>
+        <source>the legend names press and release</source>
+        <translation>die Legende benennt Hin- und Rückweg</translation>
+    </message>
+    <message>
+        <source>the press lies above the release along %1 of the travel on which they differ</source>
+        <translation>der Hinweg liegt auf %1 des Wegs, auf dem sich beide unterscheiden, über dem Rückweg</translation>
+    </message>
+    <message>
+        <source>there is only one curve, which is the press</source>
+        <translation>es gibt nur eine Kurve, den Hinweg</translation>
+    </message>
+    <message>
+        <source>the only curve was taken as the press, although the legend calls it release</source>
+        <translation>die einzige Kurve gilt als Hinweg, obwohl die Legende sie Rückweg nennt</translation>
+    </message>
+    <message>
+        <source>the only curve was taken as the press, although the legend also names a release (&quot;%1&quot;)</source>
+        <translation>die einzige Kurve gilt als Hinweg, obwohl die Legende auch einen Rückweg nennt („%1“)</translation>
+    </message>
+    <message>
+        <source>press and release were swapped by hand</source>
+        <translation>Hin- und Rückweg wurden von Hand vertauscht</translation>
+    </message>
+    <message>
+        <source>there are %1 numbers in a row and %2 in a column, but no rectangle of lines</source>
+        <translation>es gibt %1 Zahlen in einer Reihe und %2 in einer Spalte, aber kein Rechteck aus Linien</translation>
+    </message>
+    <message>
+        <source>no curve is named &quot;%1&quot;; the most similar name that was read is &quot;%2&quot;</source>
+        <translation>keine Kurve heißt „%1“; der ähnlichste gelesene Name ist „%2“</translation>
+    </message>
+    <message>
+        <source>the %1 numbers along this axis do not form an even scale</source>
+        <translation>die %1 Zahlen an dieser Achse bilden keine gleichmäßige Skala</translation>
+    </message>
+    <message>
+        <source>the %1 axis cannot be used: %2</source>
+        <translation>die Achse %1 ist nicht verwendbar: %2</translation>
+    </message>
+    <message>
+        <source>there is a second scale on the right, and %1</source>
+        <translation>rechts gibt es eine zweite Skala, und %1</translation>
+    </message>
+    <message>
+        <source>a line that looks like a curve was not traced; it lies around %1, %2</source>
+        <translation>eine Linie, die wie eine Kurve aussieht, wurde nicht nachgezogen; sie liegt um %1, %2</translation>
+    </message>
+    <message>
+        <source>two readings of the page differ: the first found %1; the second, with the page drawn at another size, found %2</source>
+        <translation>zwei Lesungen der Seite weichen voneinander ab: Die erste fand %1; die zweite, bei anderer Größe der Seite, fand %2</translation>
+    </message>
+    <message>
+        <source>the %1 numbers along this axis decrease, and the plot could not be turned round</source>
+        <translation>die %1 Zahlen an dieser Achse nehmen ab, und das Diagramm ließ sich nicht umkehren</translation>
+    </message>
+    <message>
+        <source>the %1 axis names no unit, so %2 was assumed</source>
+        <translation>die Achse %1 nennt keine Einheit, deshalb wurde %2 angenommen</translation>
+    </message>
+    <message>
+        <source>the %1 axis names no unit; N was assumed, because the axis ends at 5 or below</source>
+        <translation>die Achse %1 nennt keine Einheit; N wurde angenommen, weil die Achse bei 5 oder darunter endet</translation>
+    </message>
+    <message>
+        <source>the %1 axis names no unit; gf was assumed, because the axis ends above 5</source>
+        <translation>die Achse %1 nennt keine Einheit; gf wurde angenommen, weil die Achse über 5 endet</translation>
+    </message>
+    <message>
+        <source>the tick label &quot;%1&quot; on the %2 axis was ignored, because by the other labels its place means %3</source>
+        <translation>die Skalenzahl „%1“ der Achse %2 wurde nicht beachtet, weil ihre Stelle nach den übrigen Zahlen %3 bedeutet</translation>
+    </message>
+    <message>
+        <source>the file names no unit of displacement, so %1 was assumed</source>
+        <translation>die Datei nennt keine Einheit des Wegs, deshalb wurde %1 angenommen</translation>
+    </message>
+    <message>
+        <source>the file names no unit of force; %1 was assumed from the size of the numbers</source>
+        <translation>die Datei nennt keine Einheit der Kraft; nach der Größe der Zahlen wurde %1 angenommen</translation>
+    </message>
+    <message>
+        <source>this file gives compression as negative forces; they were made positive</source>
+        <translation>diese Datei gibt Druck als negative Kräfte an; sie wurden positiv gemacht</translation>
+    </message>
+    <message>
+        <source>in this file, the displacement falls while the force rises; the direction of the displacement was reversed</source>
+        <translation>in dieser Datei nimmt der Weg ab, während die Kraft steigt; die Richtung des Wegs wurde umgekehrt</translation>
+    </message>
+    <message>
+        <source>the log holds %1 presses; the first complete cycle was used</source>
+        <translation>das Protokoll enthält %1 Tastendrücke; verwendet wurde der erste vollständige Zyklus</translation>
+    </message>
+    <message>
+        <source>the displacement started at %1; it was shifted so that the press starts at zero</source>
+        <translation>der Weg begann bei %1; er wurde verschoben, damit der Hinweg bei null beginnt</translation>
+    </message>
+    <message>
+        <source>the log is long, so every %1 rows were averaged into one</source>
+        <translation>das Protokoll ist lang, deshalb wurden je %1 Zeilen zu einer gemittelt</translation>
+    </message>
+    <message>
+        <source>%1 graphs were found; this is the most certain one (page %2, graph %3)</source>
+        <translation>%1 Graphen wurden gefunden; dies ist der sicherste (Seite %2, Graph %3)</translation>
+    </message>
+    <message>
+        <source>a travel of %1, forces up to %2 and no release</source>
+        <translation>ein Weg von %1, Kräfte bis %2 und kein Rückweg</translation>
+    </message>
+    <message>
+        <source>a travel of %1 and forces up to %2</source>
+        <translation>ein Weg von %1 und Kräfte bis %2</translation>
+    </message>
+    <message>
+        <source>it also measures forces</source>
+        <translation>sie misst ebenfalls Kräfte</translation>
+    </message>
+    <message>
+        <source>%1 agrees with the page: %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
+        <translation>%1 stimmt mit der Seite überein: %2 gelesen, %3 gedruckt (Seite %4: „%5“)</translation>
+    </message>
+    <message>
+        <source>%1 differs from the page: %2 read, %3 printed (page %4: &quot;%5&quot;)</source>
+        <translation>%1 weicht von der Seite ab: %2 gelesen, %3 gedruckt (Seite %4: „%5“)</translation>
+    </message>
+    <message>
+        <source>there is no curve in the plot frame</source>
+        <translation>im Diagrammrahmen gibt es keine Kurve</translation>
+    </message>
+    <message>
+        <source>the plot frame is empty: it shows only paper and gridlines</source>
+        <translation>der Diagrammrahmen ist leer: Er zeigt nur Papier und Gitterlinien</translation>
+    </message>
+    <message>
+        <source>no line in the plot frame has one of the given colours</source>
+        <translation>keine Linie im Diagrammrahmen hat eine der angegebenen Farben</translation>
+    </message>
+    <message>
+        <source>the point spacing must be above 0 and at most 16 px</source>
+        <translation>der Punktabstand muss größer als 0 und höchstens 16 px sein</translation>
+    </message>
+    <message>
+        <source>the plot frame lies outside the picture or has no area</source>
+        <translation>der Diagrammrahmen liegt außerhalb des Bilds oder hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read: %1</source>
+        <translation>der Ordner lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>the library cannot be opened: %1</source>
+        <translation>die Bibliothek lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>the file is a WebPlotDigitizer project of an unknown version; only the versions 3 and 4 can be read</source>
+        <translation>die Datei ist ein WebPlotDigitizer-Projekt einer unbekannten Version; lesbar sind nur die Versionen 3 und 4</translation>
     </message>
 </context>
 <context>
@@ -10606,16 +10594,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Berichtigen Sie die vorgegebenen Werte, oder entfernen Sie sie, damit die gedruckten Zahlen gelten</translation>
     </message>
     <message>
-        <source>also measures forces</source>
-        <translation>misst ebenfalls Kräfte</translation>
+        <source>it also measures forces</source>
+        <translation>sie misst ebenfalls Kräfte</translation>
     </message>
     <message>
-        <source>measures &quot;%1&quot;</source>
-        <translation>misst „%1“</translation>
+        <source>it measures &quot;%1&quot;</source>
+        <translation>sie misst „%1“</translation>
     </message>
     <message>
-        <source>names no unit of force</source>
-        <translation>nennt keine Einheit der Kraft</translation>
+        <source>it names no unit of force</source>
+        <translation>sie nennt keine Einheit der Kraft</translation>
     </message>
 </context>
 <context>
@@ -10637,16 +10625,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Importieren Sie das Protokoll, ohne aufzulisten</translation>
     </message>
     <message>
-        <source>a force log shows no switches</source>
-        <translation>ein Kraftprotokoll zeigt keine Schalter</translation>
-    </message>
-    <message>
-        <source>a page has no recordings</source>
-        <translation>eine Seite hat keine Aufzeichnungen</translation>
-    </message>
-    <message>
         <source>List the graphs of the page</source>
         <translation>Listen Sie die Graphen der Seite auf</translation>
+    </message>
+    <message>
+        <source>a page has no recordings to choose from</source>
+        <translation>eine Seite hat keine Aufzeichnungen zur Auswahl</translation>
+    </message>
+    <message>
+        <source>a force log has no switches to choose from</source>
+        <translation>ein Kraftprotokoll hat keine Schalter zur Auswahl</translation>
     </message>
 </context>
 <context>
@@ -10696,10 +10684,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the file does not exist</source>
         <translation>die Datei gibt es nicht</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>sie ist ein Ordner</translation>
     </message>
     <message>
         <source>the file is larger than 256 MB</source>
@@ -10794,16 +10778,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>es gibt %1 Aufzeichnungen: %2</translation>
     </message>
     <message>
-        <source>Pass --record NAME|N for one of them, or --record mean</source>
-        <translation>--record NAME|N für eine davon angeben, oder --record mean</translation>
-    </message>
-    <message>
         <source>a pair consists of two files, one with a press and one with a release</source>
         <translation>ein Paar besteht aus zwei Dateien, einer mit dem Hinweg und einer mit dem Rückweg</translation>
-    </message>
-    <message>
-        <source>column %1 was taken in %2, the unit given by hand</source>
-        <translation>Spalte %1 wurde in %2 gelesen, der von Hand angegebenen Einheit</translation>
     </message>
     <message>
         <source>Give the file of the press first, then that of the release</source>
@@ -10812,10 +10788,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the press went back a little and continued; both parts were joined</source>
         <translation>der Hinweg ging ein wenig zurück und dann weiter; beide Teile wurden verbunden</translation>
-    </message>
-    <message>
-        <source>the first %1, through air before contact, was cut off; the point of contact is certain to %2</source>
-        <translation>die ersten %1, durch Luft vor der Berührung, wurden abgeschnitten; der Berührungspunkt ist auf %2 genau</translation>
     </message>
     <message>
         <source>Check the path and its permissions</source>
@@ -10830,40 +10802,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Messung neu exportieren</translation>
     </message>
     <message>
-        <source>If it is, pass %1</source>
-        <translation>Wenn ja: %1</translation>
-    </message>
-    <message>
-        <source>it is not known whether column %1 is displacement and column %2 is force</source>
-        <translation>es ist nicht bekannt, ob Spalte %1 ein Weg und Spalte %2 eine Kraft ist</translation>
-    </message>
-    <message>
-        <source>it is not known whether column %1 is displacement</source>
-        <translation>es ist nicht bekannt, ob Spalte %1 ein Weg ist</translation>
-    </message>
-    <message>
-        <source>it is not known whether column %1 is force</source>
-        <translation>es ist nicht bekannt, ob Spalte %1 eine Kraft ist</translation>
-    </message>
-    <message>
         <source>%1 formulas have no results: no program has calculated them</source>
         <translation>%1 Formeln haben keine Ergebnisse: Kein Programm hat sie berechnet</translation>
     </message>
     <message>
         <source>Open the file in a spreadsheet program and save it there</source>
         <translation>Öffnen Sie die Datei in einem Tabellenprogramm, und speichern Sie sie dort</translation>
-    </message>
-    <message>
-        <source>no column is displacement; the columns are %1</source>
-        <translation>keine Spalte ist ein Weg; die Spalten sind %1</translation>
-    </message>
-    <message>
-        <source>no column is force; the columns are %1</source>
-        <translation>keine Spalte ist eine Kraft; die Spalten sind %1</translation>
-    </message>
-    <message>
-        <source>no column is displacement and none is force; the columns are %1</source>
-        <translation>keine Spalte ist ein Weg und keine eine Kraft; die Spalten sind %1</translation>
     </message>
     <message>
         <source>the displacement changes no more than its noise; the columns are %1</source>
@@ -10878,16 +10822,60 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Hinweg und Rückweg sind nach dem Weg durcheinander sortiert und lassen sich nicht trennen</translation>
     </message>
     <message>
-        <source>Export the points in the order travelled, or each stroke as a column of its own</source>
-        <translation>Die Punkte in der Reihenfolge der Messung exportieren, oder jeden Hub in einer eigenen Spalte</translation>
-    </message>
-    <message>
-        <source>there is a release stroke but no press</source>
-        <translation>es gibt einen Rückweg, aber keinen Hinweg</translation>
-    </message>
-    <message>
         <source>If it is a release, record the press too</source>
         <translation>Wenn es ein Rückweg ist, zeichnen Sie auch den Hinweg auf</translation>
+    </message>
+    <message>
+        <source>If it is, confirm it with %1</source>
+        <translation>Wenn ja, bestätigen Sie es mit %1</translation>
+    </message>
+    <message>
+        <source>it is not known whether column %1 holds displacements and column %2 forces</source>
+        <translation>es ist nicht bekannt, ob Spalte %1 Wege und Spalte %2 Kräfte enthält</translation>
+    </message>
+    <message>
+        <source>it is not known whether column %1 holds displacements</source>
+        <translation>es ist nicht bekannt, ob Spalte %1 Wege enthält</translation>
+    </message>
+    <message>
+        <source>it is not known whether column %1 holds forces</source>
+        <translation>es ist nicht bekannt, ob Spalte %1 Kräfte enthält</translation>
+    </message>
+    <message>
+        <source>column %1 was read in %2, the unit that you gave</source>
+        <translation>Spalte %1 wurde in %2 gelesen, der von Ihnen angegebenen Einheit</translation>
+    </message>
+    <message>
+        <source>no column holds displacements; the columns are %1</source>
+        <translation>keine Spalte enthält Wege; die Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>no column holds forces; the columns are %1</source>
+        <translation>keine Spalte enthält Kräfte; die Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>no column holds displacements, and none holds forces; the columns are %1</source>
+        <translation>keine Spalte enthält Wege, und keine enthält Kräfte; die Spalten sind %1</translation>
+    </message>
+    <message>
+        <source>Export the points in the order of the movement, or each stroke in its own column</source>
+        <translation>Exportieren Sie die Punkte in der Reihenfolge der Bewegung, oder jeden Hub in einer eigenen Spalte</translation>
+    </message>
+    <message>
+        <source>Choose one of them with --record NAME|N, or their mean with --record mean</source>
+        <translation>Wählen Sie mit --record NAME|N eine davon, oder mit --record mean ihr Mittel</translation>
+    </message>
+    <message>
+        <source>the first %1 of the movement, before the contact, was cut off; the contact point is known to within %2</source>
+        <translation>die ersten %1 der Bewegung, vor der Berührung, wurden abgeschnitten; der Berührungspunkt ist auf %2 genau</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>dies ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>the file holds a release, but no press</source>
+        <translation>die Datei enthält einen Rückweg, aber keinen Hinweg</translation>
     </message>
 </context>
 <context>
@@ -10933,14 +10921,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Speichern Sie eine Kopie ohne Passwort, und importieren Sie diese</translation>
     </message>
     <message>
-        <source>the document claims %1 pages, more than the limit of %2</source>
-        <translation>das Dokument gibt %1 Seiten an, mehr als die Grenze von %2</translation>
-    </message>
-    <message>
-        <source>Split out the pages with the graphs</source>
-        <translation>Entnehmen Sie ihm die Seiten mit den Graphen</translation>
-    </message>
-    <message>
         <source>Export the page as a picture of at least 300 dpi and import that</source>
         <translation>Exportieren Sie die Seite als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
@@ -10975,6 +10955,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Give a region inside %1 x %2 points</source>
         <translation>Einen Bereich innerhalb von %1 x %2 Punkten angeben</translation>
+    </message>
+    <message>
+        <source>the document has %1 pages, more than the limit of %2</source>
+        <translation>das Dokument hat %1 Seiten, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>Save the pages with the graphs as a document of their own and import that</source>
+        <translation>Speichern Sie die Seiten mit den Graphen als eigenes Dokument und importieren Sie dieses</translation>
     </message>
 </context>
 <context>
@@ -11073,22 +11061,6 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback</name>
     <message>
-        <source>how strong it is</source>
-        <translation>wie stark er ist</translation>
-    </message>
-    <message>
-        <source>when the click comes</source>
-        <translation>wann der Klick kommt</translation>
-    </message>
-    <message>
-        <source>how hard one has to press</source>
-        <translation>wie fest man drücken muss</translation>
-    </message>
-    <message>
-        <source>how far it seems to give way</source>
-        <translation>wie weit er nachzugeben scheint</translation>
-    </message>
-    <message>
         <source>almost no errors in 90 trials</source>
         <translation>fast keine Fehler in 90 Durchgängen</translation>
     </message>
@@ -11117,22 +11089,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Menschen können diese wahrscheinlich nicht unterscheiden (%1): %2</translation>
     </message>
     <message>
-        <source>told apart: %1</source>
-        <translation>unterschieden: %1</translation>
-    </message>
-    <message>
-        <source>not told apart: %1</source>
-        <translation>nicht unterschieden: %1</translation>
-    </message>
-    <message>
-        <source>probably told apart: %1</source>
-        <translation>wahrscheinlich unterschieden: %1</translation>
-    </message>
-    <message>
-        <source>probably not told apart: %1</source>
-        <translation>wahrscheinlich nicht unterschieden: %1</translation>
-    </message>
-    <message>
         <source>nothing differs</source>
         <translation>nichts unterscheidet sich</translation>
     </message>
@@ -11145,52 +11101,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der größte Unterschied liegt auf dem Rückweg: %1</translation>
     </message>
     <message>
-        <source>is not UTF-8</source>
-        <translation>ist kein UTF-8</translation>
-    </message>
-    <message>
-        <source>Save it as UTF-8</source>
-        <translation>Als UTF-8 speichern</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation>ist leer</translation>
-    </message>
-    <message>
         <source>Write the text that participants are asked to agree to</source>
         <translation>Schreiben Sie den Text, in den die Versuchspersonen einwilligen sollen</translation>
-    </message>
-    <message>
-        <source>gives two texts for %1</source>
-        <translation>nennt zwei Texte für %1</translation>
     </message>
     <message>
         <source>Give one text for each language: NAME.en.txt, NAME.de.txt</source>
         <translation>Einen Text für jede Sprache nennen: NAME.en.txt, NAME.de.txt</translation>
     </message>
     <message>
-        <source>already has simulated answers</source>
-        <translation>hat schon simulierte Antworten</translation>
-    </message>
-    <message>
-        <source>already has answers of a person</source>
-        <translation>hat schon Antworten einer Person</translation>
-    </message>
-    <message>
         <source>Give another participant id</source>
         <translation>Eine andere Kennung der Versuchsperson eingeben</translation>
     </message>
     <message>
-        <source>has used the listening condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
-        <translation>hatte bisher die Hörbedingung „%1“, nicht „%2“</translation>
-    </message>
-    <message>
         <source>Go on in the same condition, or give another participant id</source>
         <translation>In derselben Bedingung weitermachen oder eine andere Kennung der Versuchsperson eingeben</translation>
-    </message>
-    <message>
-        <source>is too similar to &quot;%1&quot;, who is already in the study</source>
-        <translation>ist „%1“ zu ähnlich, die schon in der Studie ist</translation>
     </message>
     <message>
         <source>Give an id that sounds different when read aloud</source>
@@ -11205,24 +11129,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie eine Zahl in diesem Bereich ein</translation>
     </message>
     <message>
-        <source>in &quot;%1&quot; (%2), more of &quot;%3&quot; makes no difference to the feel</source>
-        <translation>bei „%1“ (%2) ändert mehr „%3“ nichts am Gefühl</translation>
-    </message>
-    <message>
         <source>Choose another quantity, mode, button or kind of feel</source>
         <translation>Eine andere Größe, Art, einen anderen Taster oder ein anderes Gefühl wählen</translation>
     </message>
     <message>
-        <source>has a name that is not UTF-8</source>
-        <translation>hat einen Namen, der kein UTF-8 ist</translation>
-    </message>
-    <message>
         <source>Rename the file</source>
         <translation>Die Datei umbenennen</translation>
-    </message>
-    <message>
-        <source>is the second button with the name &quot;%1&quot;</source>
-        <translation>ist der zweite Taster mit dem Namen „%1“</translation>
     </message>
     <message>
         <source>Rename one of the files</source>
@@ -11237,104 +11149,44 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>1 bis %1 Buchstaben, Ziffern, - oder _ eingeben, etwa P01, aber keinen Personennamen</translation>
     </message>
     <message>
-        <source>no time is given, too many, the same one twice, or one outside %1 to %2 s</source>
-        <translation>keine Zeit ist angegeben, zu viele, dieselbe zweimal oder eine außerhalb von %1 bis %2 s</translation>
-    </message>
-    <message>
-        <source>Give 1 to %1 different times</source>
-        <translation>Geben Sie 1 bis %1 verschiedene Zeiten an</translation>
-    </message>
-    <message>
-        <source>no time is given, too many, the same one twice, one outside %1 to %2 s, or one as long as an interval</source>
-        <translation>keine Zeit ist angegeben, zu viele, dieselbe zweimal, eine außerhalb von %1 bis %2 s oder eine so lang wie ein Intervall</translation>
-    </message>
-    <message>
-        <source>Give 1 to %1 times, each shorter than the shortest interval</source>
-        <translation>Geben Sie 1 bis %1 Zeiten an, jede kürzer als das kürzeste Intervall</translation>
-    </message>
-    <message>
-        <source>has no button</source>
-        <translation>hat keinen Taster</translation>
-    </message>
-    <message>
         <source>Give at least one button</source>
         <translation>Geben Sie mindestens einen Taster an</translation>
-    </message>
-    <message>
-        <source>has 1 button</source>
-        <translation>hat 1 Taster</translation>
     </message>
     <message>
         <source>Give at least two buttons</source>
         <translation>Geben Sie mindestens zwei Taster an</translation>
     </message>
     <message>
-        <source>has %1 buttons</source>
-        <translation>hat %1 Taster</translation>
-    </message>
-    <message>
         <source>Give at most %1</source>
         <translation>Höchstens %1 wählen</translation>
-    </message>
-    <message>
-        <source>cannot be used in a study without pairs</source>
-        <translation>lässt sich in einer Studie ohne Paare nicht verwenden</translation>
     </message>
     <message>
         <source>Leave this option out</source>
         <translation>Lassen Sie diese Option weg</translation>
     </message>
     <message>
-        <source>asks for %1 of %2 pairs</source>
-        <translation>verlangt %1 von %2 Paaren</translation>
-    </message>
-    <message>
         <source>Give fewer pairs, or 0 for all pairs</source>
         <translation>Geben Sie weniger Paare an, oder 0 für alle Paare</translation>
-    </message>
-    <message>
-        <source>no mode is given, or the same one twice</source>
-        <translation>keine Art ist angegeben, oder dieselbe zweimal</translation>
     </message>
     <message>
         <source>Choose at least one mode, each only once</source>
         <translation>Wählen Sie mindestens eine Art, jede nur einmal</translation>
     </message>
     <message>
-        <source>&quot;off&quot; cannot be felt</source>
-        <translation>„off“ kann man nicht fühlen</translation>
-    </message>
-    <message>
         <source>Give full, click-only or slope-only</source>
         <translation>full, click-only oder slope-only angeben</translation>
-    </message>
-    <message>
-        <source>needs a matching study</source>
-        <translation>braucht eine Zuordnungsstudie</translation>
     </message>
     <message>
         <source>Add --kind matching</source>
         <translation>--kind matching hinzufügen</translation>
     </message>
     <message>
-        <source>exists already</source>
-        <translation>gibt es schon</translation>
-    </message>
-    <message>
         <source>Name a new folder; a study is never overwritten</source>
         <translation>Einen neuen Ordner nennen; eine Studie wird nie überschrieben</translation>
     </message>
     <message>
-        <source>is not a study: study.json %1</source>
-        <translation>ist keine Studie: study.json %1</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>has no room to increase &quot;%1&quot; by 10 %</source>
-        <translation>lässt keinen Platz, um „%1“ um 10 % zu erhöhen</translation>
     </message>
     <message>
         <source>Choose another quantity, or a button that has less of this one</source>
@@ -11343,10 +11195,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Run `detent-play devices` to see what is connected</source>
-        <translation>`detent-play devices` zeigt, was angeschlossen ist</translation>
     </message>
     <message>
         <source>no sound output was found</source>
@@ -11361,52 +11209,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Schließen Sie ein Audiogerät an, oder starten Sie einen JACK-Server</translation>
     </message>
     <message>
-        <source>is not a sound output of this computer</source>
-        <translation>ist kein Tonausgang dieses Rechners</translation>
-    </message>
-    <message>
-        <source>is not a sound input of this computer</source>
-        <translation>ist kein Toneingang dieses Rechners</translation>
-    </message>
-    <message>
-        <source>Run `detent-play devices` for a list</source>
-        <translation>`detent-play devices` zeigt eine Liste</translation>
-    </message>
-    <message>
-        <source>names several devices: %1</source>
-        <translation>nennt mehrere Geräte: %1</translation>
-    </message>
-    <message>
         <source>Give a longer part of the name</source>
         <translation>Geben Sie einen längeren Teil des Namens an</translation>
-    </message>
-    <message>
-        <source>cannot be started</source>
-        <translation>kann nicht gestartet werden</translation>
-    </message>
-    <message>
-        <source>cannot play and record at once</source>
-        <translation>kann nicht zugleich wiedergeben und aufnehmen</translation>
-    </message>
-    <message>
-        <source>stopped during the measurement</source>
-        <translation>blieb während der Messung stehen</translation>
     </message>
     <message>
         <source>Check the device and try again</source>
         <translation>Prüfen Sie das Gerät und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>was switched on and has no firmware yet</source>
-        <translation>wurde eingeschaltet und hat noch keine Firmware</translation>
-    </message>
-    <message>
         <source>Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)</source>
         <translation>Nennen Sie seine Firmware-Datei mit --firmware DATEI (docs/guide/force-feedback.md)</translation>
-    </message>
-    <message>
-        <source>does not accept the firmware; tried %1 times</source>
-        <translation>nimmt die Firmware nicht an; %1-mal versucht</translation>
     </message>
     <message>
         <source>Switch the device off and on, connect it without a hub, and try again</source>
@@ -11417,72 +11229,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Nennen Sie die Firmware-Datei, die mit dem Treiber des Falcon kam (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
-        <source>cannot be read (%1)</source>
-        <translation>kann nicht gelesen werden (%1)</translation>
-    </message>
-    <message>
-        <source>is not Falcon firmware: the file is too large</source>
-        <translation>ist keine Firmware eines Falcon: Die Datei ist zu groß</translation>
-    </message>
-    <message>
-        <source>cannot be read</source>
-        <translation>kann nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>is not Falcon firmware: it is not a boot image of its processor</source>
-        <translation>ist keine Firmware eines Falcon: Sie ist kein Startabbild seines Prozessors</translation>
-    </message>
-    <message>
-        <source>cannot be used without permission</source>
-        <translation>lässt sich nicht öffnen: Ihnen fehlt die Berechtigung</translation>
-    </message>
-    <message>
         <source>Give yourself the permission with a udev rule (docs/guide/force-feedback.md), then plug the device in again</source>
         <translation>Erlauben Sie sich den Zugriff mit einer udev-Regel (docs/guide/force-feedback.md), und stecken Sie das Gerät neu ein</translation>
-    </message>
-    <message>
-        <source>is in use by another program</source>
-        <translation>wird von einem anderen Programm benutzt</translation>
     </message>
     <message>
         <source>End the other program</source>
         <translation>Beenden Sie das andere Programm</translation>
     </message>
     <message>
-        <source>cannot be opened (%1)</source>
-        <translation>kann nicht geöffnet werden (%1)</translation>
-    </message>
-    <message>
         <source>Unplug the device, switch its power off and on, plug it in again</source>
         <translation>Ziehen Sie das Gerät ab, schalten Sie es aus und wieder ein, und stecken Sie es neu ein</translation>
     </message>
     <message>
-        <source>is not part of this build</source>
-        <translation>ist in diesem Programm nicht eingebaut</translation>
-    </message>
-    <message>
-        <source>Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON</source>
-        <translation>Bauen Sie mit libusb-1.0-0-dev und -DDETENT_WITH_FALCON=ON</translation>
-    </message>
-    <message>
-        <source>can hold the force of only one speed; this button has graphs at %1 speeds</source>
-        <translation>fasst die Kraft nur einer Geschwindigkeit; dieser Taster hat Graphen bei %1 Geschwindigkeiten</translation>
-    </message>
-    <message>
         <source>Do not upload, so that this computer computes the force. Or upload a button with one speed, which detent-graph convert --speed V writes</source>
         <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft berechnet. Oder übertragen Sie einen Taster mit einer Geschwindigkeit, den detent-graph convert --speed V schreibt</translation>
-    </message>
-    <message>
-        <source>can run only one state; this button has %1</source>
-        <translation>führt nur einen Zustand aus; dieser Taster hat %1</translation>
-    </message>
-    <message>
-        <source>Do not upload, so that this computer computes the force of self-locking buttons</source>
-        <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft rastender Taster berechnet</translation>
-    </message>
-    <message>
-        <source>cannot be opened to receive messages (%1)</source>
-        <translation>lässt sich nicht zum Empfangen öffnen (%1)</translation>
     </message>
     <message>
         <source>Choose another port</source>
@@ -11497,16 +11257,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein solches simuliertes Gerät gibt es nicht</translation>
     </message>
     <message>
-        <source>N counts the Falcons, starting with 0</source>
-        <translation>N zählt die Falcons ab 0</translation>
-    </message>
-    <message>
         <source>there is no such device</source>
         <translation>ein solches Gerät gibt es nicht</translation>
-    </message>
-    <message>
-        <source>the port is missing, for example %1:/dev/ttyACM0</source>
-        <translation>der Anschluss fehlt, zum Beispiel %1:/dev/ttyACM0</translation>
     </message>
     <message>
         <source>the position is not a number</source>
@@ -11529,18 +11281,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kein Messwert des Druckverlaufs ist eine Zahl</translation>
     </message>
     <message>
-        <source>Give a press trace with usable numbers</source>
-        <translation>Geben Sie einen Betätigungsverlauf mit brauchbaren Zahlen an</translation>
-    </message>
-    <message>
-        <source>answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to %3 N/mm are stable; this button needs %4 N/mm</source>
-        <translation>antwortet nach %1 ms, die Kraft wirkt daher %2 ms zu spät. Mit dieser Verzögerung sind Steigungen bis %3 N/mm stabil; dieser Taster braucht %4 N/mm</translation>
-    </message>
-    <message>
-        <source>does not accept the limits for a slow connection</source>
-        <translation>nimmt die Grenzen für eine langsame Verbindung nicht an</translation>
-    </message>
-    <message>
         <source>Check that the firmware follows docs/reference/force-protocol.md</source>
         <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md befolgt</translation>
     </message>
@@ -11555,10 +11295,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the displacement is %1</source>
         <translation>der Weg ist %1</translation>
-    </message>
-    <message>
-        <source>moves only %1 in steps of %2: too few steps</source>
-        <translation>bewegt sich nur um %1 in Schritten von %2: zu wenige Schritte</translation>
     </message>
     <message>
         <source>%1 cannot hold this press: its strongest sample is only %2 of full scale, so nothing would be felt</source>
@@ -11613,10 +11349,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Parameterkurve %1 wird weggelassen</translation>
     </message>
     <message>
-        <source>lies before the previous control point</source>
-        <translation>liegt vor dem vorigen Stützpunkt</translation>
-    </message>
-    <message>
         <source>Sort the curve&apos;s points by time</source>
         <translation>Ordnen Sie die Punkte der Kurve nach der Zeit</translation>
     </message>
@@ -11633,52 +11365,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Ereignisparameter %1 wird weggelassen</translation>
     </message>
     <message>
-        <source>is %1, but only version 1 of AHAP can be read</source>
-        <translation>ist %1, lesbar ist aber nur Version 1 von AHAP</translation>
-    </message>
-    <message>
         <source>Export the file as version 1</source>
         <translation>Exportieren Sie die Datei als Version 1</translation>
-    </message>
-    <message>
-        <source>lies before the previous point</source>
-        <translation>liegt vor dem vorigen Punkt</translation>
     </message>
     <message>
         <source>Sort the points by time</source>
         <translation>Ordnen Sie die Punkte nach der Zeit</translation>
     </message>
     <message>
-        <source>is %1, but only version 1 of .haptic can be read</source>
-        <translation>ist %1, lesbar ist aber nur Version 1 von .haptic</translation>
-    </message>
-    <message>
         <source>Export the file again as version 1</source>
         <translation>Exportieren Sie die Datei neu als Version 1</translation>
     </message>
     <message>
-        <source>is weaker than the point that it emphasizes</source>
-        <translation>ist schwächer als der Punkt, den sie betont</translation>
-    </message>
-    <message>
-        <source>Give it at least the amplitude of this point</source>
-        <translation>Geben Sie ihr mindestens die Amplitude dieses Punkts</translation>
-    </message>
-    <message>
-        <source>holds no point</source>
-        <translation>enthält keinen Punkt</translation>
-    </message>
-    <message>
-        <source>is %1, which is not a base signal</source>
-        <translation>ist %1, was kein Grundsignal ist</translation>
-    </message>
-    <message>
         <source>Give Sine, Square, Triangle, SawToothUp or SawToothDown</source>
         <translation>Geben Sie Sine, Square, Triangle, SawToothUp oder SawToothDown an</translation>
-    </message>
-    <message>
-        <source>lies before the previous keyframe</source>
-        <translation>liegt vor dem vorigen Schlüsselbild</translation>
     </message>
     <message>
         <source>Sort the keyframes by relative_position</source>
@@ -11687,10 +11387,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>wavelet bands are left out</source>
         <translation>Wavelet-Bänder werden weggelassen</translation>
-    </message>
-    <message>
-        <source>is %1, which is not a kind of band</source>
-        <translation>ist %1, was keine Art von Band ist</translation>
     </message>
     <message>
         <source>Give Transient, Curve or VectorialWave</source>
@@ -11705,10 +11401,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Effekte der Art %1 werden weggelassen</translation>
     </message>
     <message>
-        <source>names an effect that is not in the effect_library</source>
-        <translation>nennt einen Effekt, der nicht in der effect_library steht</translation>
-    </message>
-    <message>
         <source>Add the effect to the effect_library</source>
         <translation>Fügen Sie den Effekt in die effect_library ein</translation>
     </message>
@@ -11719,10 +11411,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>commas before a closing bracket are not valid JSON; they are ignored</source>
         <translation>Kommas vor einer schließenden Klammer sind kein gültiges JSON; sie werden ignoriert</translation>
-    </message>
-    <message>
-        <source>is %1, but only the editions of 2023 and 2025 can be read</source>
-        <translation>ist %1, lesbar sind aber nur die Ausgaben von 2023 und 2025</translation>
     </message>
     <message>
         <source>Export the file for one of these editions</source>
@@ -11737,32 +11425,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Signal überschreitet die Vollaussteuerung um den Faktor %1 und wird abgeschwächt</translation>
     </message>
     <message>
-        <source>contains nothing to play</source>
-        <translation>enthält nichts zum Abspielen</translation>
-    </message>
-    <message>
         <source>Give a file with events</source>
         <translation>Geben Sie eine Datei mit Ereignissen an</translation>
-    </message>
-    <message>
-        <source>lasts %1 s</source>
-        <translation>dauert %1 s</translation>
     </message>
     <message>
         <source>Give a file of at most %1 s</source>
         <translation>Geben Sie eine Datei von höchstens %1 s an</translation>
     </message>
     <message>
-        <source>contains events of %1 s in total, which overlap</source>
-        <translation>enthält Ereignisse von zusammen %1 s, die einander überlappen</translation>
-    </message>
-    <message>
         <source>Give a file whose events last at most %1 s in total</source>
         <translation>Geben Sie eine Datei an, deren Ereignisse zusammen höchstens %1 s dauern</translation>
-    </message>
-    <message>
-        <source>is cut off</source>
-        <translation>ist abgeschnitten</translation>
     </message>
     <message>
         <source>Export or copy the file again</source>
@@ -11773,56 +11445,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Mittel ihrer %1 Kanäle wird wiedergegeben</translation>
     </message>
     <message>
-        <source>is JSON, but not a haptic file</source>
-        <translation>ist JSON, aber keine haptische Datei</translation>
-    </message>
-    <message>
-        <source>is larger than %1 MB</source>
-        <translation>ist größer als %1 MB</translation>
-    </message>
-    <message>
         <source>Give a shorter file</source>
         <translation>Geben Sie eine kürzere Datei an</translation>
-    </message>
-    <message>
-        <source>is not valid JSON: %1</source>
-        <translation>ist kein gültiges JSON: %1</translation>
     </message>
     <message>
         <source>Export the file again: it may have been cut off</source>
         <translation>Exportieren Sie die Datei neu: Sie kann abgeschnitten sein</translation>
     </message>
     <message>
-        <source>holds a number that is too large: %1</source>
-        <translation>enthält eine zu große Zahl: %1</translation>
-    </message>
-    <message>
         <source>Correct the number</source>
         <translation>Berichtigen Sie die Zahl</translation>
     </message>
     <message>
-        <source>is neither JSON nor a sound file that can be read</source>
-        <translation>ist weder JSON noch eine lesbare Tondatei</translation>
-    </message>
-    <message>
         <source>the profile of a force device</source>
         <translation>das Profil eines Kraftgeräts</translation>
-    </message>
-    <message>
-        <source>is given twice</source>
-        <translation>ist zweimal angegeben</translation>
-    </message>
-    <message>
-        <source>is not known</source>
-        <translation>ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>is not a single number</source>
-        <translation>ist nicht eine einzelne Zahl</translation>
-    </message>
-    <message>
-        <source>lies outside %1 to %2</source>
-        <translation>liegt außerhalb %1 bis %2</translation>
     </message>
     <message>
         <source>%1 is missing</source>
@@ -11837,14 +11473,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein Geräteprofil</translation>
     </message>
     <message>
-        <source>%1 starts with &quot;%2 %3&quot;</source>
-        <translation>%1 beginnt mit „%2 %3“</translation>
-    </message>
-    <message>
-        <source>written by a newer Detent (version %1)</source>
-        <translation>von einem neueren Detent geschrieben (Version %1)</translation>
-    </message>
-    <message>
         <source>line %1</source>
         <translation>Zeile %1</translation>
     </message>
@@ -11853,16 +11481,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Siehe docs/reference/device-profile.md</translation>
     </message>
     <message>
-        <source>the line has no =</source>
-        <translation>in der Zeile fehlt „=“</translation>
-    </message>
-    <message>
         <source>the file is empty</source>
         <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>Build with -DDETENT_WITH_DEVICE=ON, or use render</source>
-        <translation>Bauen Sie mit -DDETENT_WITH_DEVICE=ON oder benutzen Sie render</translation>
     </message>
     <message>
         <source>the first line is %1, not the names of the columns</source>
@@ -11901,10 +11521,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Zerlegen Sie die Aufzeichnung in Teile</translation>
     </message>
     <message>
-        <source>none of its %1 readings can be used: each is out of range or not a number</source>
-        <translation>keiner ihrer %1 Messwerte ist brauchbar: Jeder liegt außerhalb des Bereichs oder ist keine Zahl</translation>
-    </message>
-    <message>
         <source>Give the forces of a pressing finger in N</source>
         <translation>Geben Sie die Kräfte eines drückenden Fingers in N an</translation>
     </message>
@@ -11929,32 +11545,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Zeit nach der Betätigung in s</translation>
     </message>
     <message>
-        <source>contains no readings</source>
-        <translation>enthält keine Messwerte</translation>
-    </message>
-    <message>
-        <source>is not a readable sound file: its header is damaged</source>
-        <translation>ist keine lesbare Tondatei: Ihr Kopf ist beschädigt</translation>
-    </message>
-    <message>
-        <source>is not a readable sound file: %1</source>
-        <translation>ist keine lesbare Tondatei: %1</translation>
-    </message>
-    <message>
         <source>Give a WAV file</source>
         <translation>Geben Sie eine WAV-Datei an</translation>
-    </message>
-    <message>
-        <source>has %1 samples a second</source>
-        <translation>hat %1 Werte je Sekunde</translation>
-    </message>
-    <message>
-        <source>has %1 channels</source>
-        <translation>hat %1 Kanäle</translation>
-    </message>
-    <message>
-        <source>holds no sample</source>
-        <translation>enthält keinen Wert</translation>
     </message>
     <message>
         <source>Give a longer file</source>
@@ -11963,10 +11555,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Export the file again</source>
         <translation>Exportieren Sie die Datei neu</translation>
-    </message>
-    <message>
-        <source>has a sample that is not a number: sample %1</source>
-        <translation>hat einen Wert, der keine Zahl ist: Nr. %1</translation>
     </message>
     <message>
         <source>times, force or sensor rate lie outside their ranges</source>
@@ -11985,24 +11573,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie --step-mm %1 an</translation>
     </message>
     <message>
-        <source>this build of Detent cannot make a web page to press buttons on</source>
-        <translation>diese Fassung von Detent kann keine Webseite machen, auf der man Taster drückt</translation>
-    </message>
-    <message>
-        <source>Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32, then configure and build anew</source>
-        <translation>Installieren Sie clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 und libclang-rt-14-dev-wasm32 und konfigurieren und bauen Sie neu</translation>
-    </message>
-    <message>
-        <source>a page holds 1 to %1 buttons, not %2</source>
-        <translation>eine Seite fasst 1 bis %1 Taster, nicht %2</translation>
-    </message>
-    <message>
         <source>Name fewer buttons, or make several pages</source>
         <translation>Nennen Sie weniger Taster oder machen Sie mehrere Seiten</translation>
-    </message>
-    <message>
-        <source>is %1</source>
-        <translation>ist %1</translation>
     </message>
     <message>
         <source>Give a value from %1 to %2</source>
@@ -12013,24 +11585,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ein Kraftgerät kann %1 bis %2 erzeugen; skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
     </message>
     <message>
-        <source>ends at %1, but %2 reaches only %3</source>
-        <translation>endet bei %1, %2 reicht aber nur bis %3</translation>
-    </message>
-    <message>
         <source>Choose a device that reaches farther, or scale the button (edit it, or convert its graph)</source>
         <translation>Wählen Sie ein Gerät, das weiter reicht, oder skalieren Sie den Taster (bearbeiten Sie ihn oder wandeln Sie seinen Graphen um)</translation>
     </message>
     <message>
         <source>%1 must be above %2 and at most %3</source>
         <translation>%1 muss über %2 und höchstens %3 sein</translation>
-    </message>
-    <message>
-        <source>has %1 bands, but at most %2 are allowed</source>
-        <translation>hat %1 Bänder, erlaubt sind höchstens %2</translation>
-    </message>
-    <message>
-        <source>Keep the strongest bands</source>
-        <translation>Behalten Sie die stärksten Bänder</translation>
     </message>
     <message>
         <source>the force falls while the reading rises</source>
@@ -12045,124 +11605,36 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Kalibrieren Sie den Sensor neu</translation>
     </message>
     <message>
-        <source>has so little friction or damping that no button is stable on it</source>
-        <translation>hat so wenig Reibung oder Dämpfung, dass kein Taster darauf stabil ist</translation>
-    </message>
-    <message>
-        <source>Give its friction and damping, or choose another device</source>
-        <translation>Geben Sie Reibung und Dämpfung an oder wählen Sie ein anderes Gerät</translation>
-    </message>
-    <message>
         <source>line 1</source>
         <translation>Zeile 1</translation>
-    </message>
-    <message>
-        <source>is not a journal of a study</source>
-        <translation>ist kein Journal einer Studie</translation>
     </message>
     <message>
         <source>Move this file out of the study</source>
         <translation>Nehmen Sie diese Datei aus der Studie</translation>
     </message>
     <message>
-        <source>was cancelled</source>
-        <translation>wurde abgebrochen</translation>
-    </message>
-    <message>
         <source>Start the step again</source>
         <translation>Beginnen Sie den Schritt neu</translation>
-    </message>
-    <message>
-        <source>presses on its own; a sensor would be a second finger</source>
-        <translation>drückt selbst; ein Sensor wäre ein zweiter Finger</translation>
-    </message>
-    <message>
-        <source>Use only one of the two</source>
-        <translation>Verwenden Sie nur eines von beiden</translation>
-    </message>
-    <message>
-        <source>would play only the button that was uploaded, but a study switches between buttons</source>
-        <translation>würde nur den übertragenen Taster ausführen, eine Studie wechselt aber zwischen Tastern</translation>
-    </message>
-    <message>
-        <source>Choose the device without uploading a table</source>
-        <translation>Wählen Sie das Gerät, ohne eine Tabelle zu übertragen</translation>
-    </message>
-    <message>
-        <source>produces forces, but this study compares what only a vibration has</source>
-        <translation>erzeugt Kräfte, diese Studie vergleicht aber, was nur eine Vibration hat</translation>
-    </message>
-    <message>
-        <source>Leave the force device out, or make a study of the mode full</source>
-        <translation>Lassen Sie das Kraftgerät weg, oder machen Sie eine Studie der Art „Alles“</translation>
-    </message>
-    <message>
-        <source>has no consent text in &quot;%1&quot;</source>
-        <translation>hat keinen Einwilligungstext in „%1“</translation>
     </message>
     <message>
         <source>Put the file %1 into this folder, or choose another language</source>
         <translation>Legen Sie die Datei %1 in diesen Ordner, oder wählen Sie eine andere Sprache</translation>
     </message>
     <message>
-        <source>is broken (%1)</source>
-        <translation>ist beschädigt (%1)</translation>
-    </message>
-    <message>
         <source>Restore the journal from a copy</source>
         <translation>Stellen Sie das Journal aus einer Kopie wieder her</translation>
-    </message>
-    <message>
-        <source>Restore the folder</source>
-        <translation>Stellen Sie den Ordner wieder her</translation>
-    </message>
-    <message>
-        <source>lacks the file &quot;%1&quot;, which was in its folder; the end of the journal may have been cut off</source>
-        <translation>ihm fehlt die Datei „%1“ aus seinem Ordner; das Ende des Journals kann abgeschnitten sein</translation>
     </message>
     <message>
         <source>Restore both files from a copy</source>
         <translation>Stellen Sie beide Dateien aus einer Kopie wieder her</translation>
     </message>
     <message>
-        <source>does not record the length of the journal</source>
-        <translation>hält die Länge des Journals nicht fest</translation>
-    </message>
-    <message>
-        <source>should have %1 lines, but some of them are missing</source>
-        <translation>sollte %1 Zeilen haben, einige davon fehlen aber</translation>
-    </message>
-    <message>
         <source>Give the columns trial,press_s: one row for each press, in seconds after the cue</source>
         <translation>Geben Sie die Spalten trial,press_s an: eine Zeile für jeden Tastendruck, in Sekunden nach dem Zeichen</translation>
     </message>
     <message>
-        <source>does not have the columns trial and press_s</source>
-        <translation>hat die Spalten trial und press_s nicht</translation>
-    </message>
-    <message>
-        <source>has too few fields</source>
-        <translation>hat zu wenige Felder</translation>
-    </message>
-    <message>
-        <source>holds no trial and time</source>
-        <translation>enthält keinen Durchgang mit Zeit</translation>
-    </message>
-    <message>
-        <source>holds no press</source>
-        <translation>enthält keinen Tastendruck</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a way to answer</source>
-        <translation>„%1“ ist keine Art zu antworten</translation>
-    </message>
-    <message>
         <source>recorded presses can answer only timing studies</source>
         <translation>aufgezeichnete Tastendrücke können nur Studien des Timings beantworten</translation>
-    </message>
-    <message>
-        <source>cannot answer a timing study</source>
-        <translation>kann keine Studie des Timings beantworten</translation>
     </message>
     <message>
         <source>Give guess, perfect or errors=P</source>
@@ -12173,88 +11645,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie timing=STELLE,STREUUNG oder presses=DATEI an</translation>
     </message>
     <message>
-        <source>in tapping, PLACE is the time between presses in seconds</source>
-        <translation>beim Tippen ist die Stelle die Zeit in Sekunden zwischen zwei Tastendrücken</translation>
-    </message>
-    <message>
         <source>Give a time of 0.01 s or more</source>
         <translation>Geben Sie eine Zeit ab 0.01 s an</translation>
-    </message>
-    <message>
-        <source>a threshold can answer only threshold studies</source>
-        <translation>eine Schwelle kann nur Schwellenstudien beantworten</translation>
     </message>
     <message>
         <source>Restore the file from a copy, or plan again before the first participant begins</source>
         <translation>Stellen Sie die Datei aus einer Kopie wieder her, oder planen Sie neu, bevor die erste Versuchsperson beginnt</translation>
     </message>
     <message>
-        <source>is not a plan that this program knows</source>
-        <translation>ist kein Plan, den dieses Programm kennt</translation>
-    </message>
-    <message>
         <source>Restore the file</source>
         <translation>Stellen Sie die Datei wieder her</translation>
     </message>
     <message>
-        <source>is not a file of counts of version %1</source>
-        <translation>ist keine Datei mit Zählungen der Version %1</translation>
-    </message>
-    <message>
-        <source>names a mode &quot;%1&quot; that does not exist</source>
-        <translation>nennt eine Art „%1“, die es nicht gibt</translation>
-    </message>
-    <message>
         <source>Restore the original file</source>
         <translation>Stellen Sie die ursprüngliche Datei wieder her</translation>
-    </message>
-    <message>
-        <source>is not a study</source>
-        <translation>ist keine Studie</translation>
-    </message>
-    <message>
-        <source>Name a folder made by detent-play study new</source>
-        <translation>Nennen Sie einen Ordner, den detent-play study new gemacht hat</translation>
-    </message>
-    <message>
-        <source>is a study of version %1; this program knows 1 to %2</source>
-        <translation>ist eine Studie der Version %1; dieses Programm kennt 1 bis %2</translation>
-    </message>
-    <message>
-        <source>Use the program that made it</source>
-        <translation>Benutzen Sie das Programm, das sie gemacht hat</translation>
-    </message>
-    <message>
-        <source>has an order of questions that was made by %1</source>
-        <translation>hat eine Reihenfolge der Fragen, die von %1 stammt</translation>
-    </message>
-    <message>
-        <source>names a kind &quot;%1&quot; that does not exist</source>
-        <translation>nennt eine Studienart „%1“, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>names a quantity %1 that does not exist</source>
-        <translation>nennt eine Größe %1, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>names a scale %1 that does not exist</source>
-        <translation>nennt eine Skala %1, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>names a task %1 that does not exist</source>
-        <translation>nennt eine Aufgabe %1, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>has levels of a button &quot;%1&quot; that is not in the study</source>
-        <translation>hat Stufen eines Tasters „%1“, der nicht in der Studie ist</translation>
-    </message>
-    <message>
-        <source>has no levels of the button &quot;%1&quot;</source>
-        <translation>hat keine Stufen des Tasters „%1“</translation>
-    </message>
-    <message>
-        <source>was changed after the study was made</source>
-        <translation>wurde geändert, nachdem die Studie gemacht wurde</translation>
     </message>
     <message>
         <source>Restore the file, or make a new study with the changed button</source>
@@ -12265,28 +11669,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stellen Sie die Datei wieder her oder machen Sie eine neue Studie</translation>
     </message>
     <message>
-        <source>names a button &quot;%1&quot; that is not in the study</source>
-        <translation>nennt einen Taster „%1“, der nicht in der Studie ist</translation>
-    </message>
-    <message>
-        <source>does not record how the button &quot;%1&quot; feels (%2)</source>
-        <translation>hält nicht fest, wie sich der Taster „%1“ anfühlt (%2)</translation>
-    </message>
-    <message>
-        <source>cannot be created (%1)</source>
-        <translation>kann nicht angelegt werden (%1)</translation>
-    </message>
-    <message>
         <source>Check the folder, its permissions and the free space</source>
         <translation>Prüfen Sie den Ordner, seine Zugriffsrechte und den freien Platz</translation>
-    </message>
-    <message>
-        <source>Check the folder above it</source>
-        <translation>Prüfen Sie den Ordner darüber</translation>
-    </message>
-    <message>
-        <source>Make a study with detent-play study new, or name the folder of a study</source>
-        <translation>Machen Sie eine Studie mit detent-play study new, oder nennen Sie den Ordner einer Studie</translation>
     </message>
     <message>
         <source>Restore the file from a copy</source>
@@ -12303,14 +11687,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Plan before the first participant begins, or make a new study</source>
         <translation>Planen Sie, bevor die erste Versuchsperson beginnt, oder machen Sie eine neue Studie</translation>
-    </message>
-    <message>
-        <source>Check the folder above it and its permissions</source>
-        <translation>Prüfen Sie den Ordner darüber und seine Zugriffsrechte</translation>
-    </message>
-    <message>
-        <source>it reports no error, but does not reach closed-loop control</source>
-        <translation>sie meldet keinen Fehler, erreicht aber die Regelung nicht</translation>
     </message>
     <message>
         <source>invalid state</source>
@@ -12489,10 +11865,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Mit mehr Dämpfung des Griffs, einer schnelleren Schleife (--rate) oder einer kürzeren Verzögerung wäre der Taster stabil</translation>
     </message>
     <message>
-        <source>control points count from the Time of their curve; the curve at %1 s seems to count them from the beginning of the pattern, so it is played too late</source>
-        <translation>Stützpunkte zählen ab der Time ihrer Kurve; die Kurve bei %1 s scheint ab dem Anfang des Musters zu zählen und wird daher zu spät gespielt</translation>
-    </message>
-    <message>
         <source>Give an AHAP, .haptic or HJIF file, or a sound file such as a WAV</source>
         <translation>Eine AHAP-, .haptic- oder HJIF-Datei angeben, oder eine Tondatei wie WAV</translation>
     </message>
@@ -12533,32 +11905,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie bei --sites einen eigenen Namen für jede Studie an</translation>
     </message>
     <message>
-        <source>is a merged study itself</source>
-        <translation>ist selbst eine zusammengeführte Studie</translation>
-    </message>
-    <message>
         <source>Merge the studies of its sites</source>
         <translation>Die Studien ihrer Standorte zusammenführen</translation>
-    </message>
-    <message>
-        <source>asks for other answers, or for other buttons, than &quot;%1&quot;</source>
-        <translation>fragt nach anderen Antworten oder verwendet andere Taster als „%1“</translation>
     </message>
     <message>
         <source>Merge copies of one study</source>
         <translation>Kopien einer Studie zusammenführen</translation>
     </message>
     <message>
-        <source>was planned with another rule for participants who did not finish than &quot;%1&quot;</source>
-        <translation>wurde mit einer anderen Regel für Versuchspersonen geplant, die nicht fertig wurden, als „%1“</translation>
-    </message>
-    <message>
         <source>Merge studies of one plan</source>
         <translation>Studien eines Plans zusammenführen</translation>
-    </message>
-    <message>
-        <source>%1 names for %2 studies</source>
-        <translation>%1 Namen für %2 Studien</translation>
     </message>
     <message>
         <source>Give --sites one name for each study</source>
@@ -12569,40 +11925,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Die Ordner und den freien Platz prüfen</translation>
     </message>
     <message>
-        <source>is the merged study of several sites: nobody answers in it</source>
-        <translation>ist die zusammengeführte Studie mehrerer Standorte: darin antwortet niemand</translation>
-    </message>
-    <message>
         <source>Run the study of one site, then merge again</source>
         <translation>Führen Sie die Studie eines Standorts durch, und führen Sie dann neu zusammen</translation>
     </message>
     <message>
-        <source>has a rule for participants who did not finish that does not exist</source>
-        <translation>hat eine Regel für Versuchspersonen, die nicht fertig wurden, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>names a feel %1 that does not exist</source>
-        <translation>nennt ein Gefühl %1, das es nicht gibt</translation>
-    </message>
-    <message>
-        <source>names no sites that this program knows</source>
-        <translation>nennt keine Standorte, die dieses Programm kennt</translation>
-    </message>
-    <message>
-        <source>already has a participant, so it is too late for a plan</source>
-        <translation>hat schon eine Versuchsperson, für einen Plan ist es daher zu spät</translation>
-    </message>
-    <message>
         <source>this is the merged study of several sites: nobody answers in it</source>
-        <translation>das ist die zusammengeführte Studie mehrerer Standorte: in ihr antwortet niemand</translation>
+        <translation>dies ist die zusammengeführte Studie mehrerer Standorte: Darin antwortet niemand</translation>
     </message>
     <message>
         <source>Name the study of one site</source>
         <translation>Die Studie eines Standorts angeben</translation>
-    </message>
-    <message>
-        <source>a timing study needs times that a browser does not give</source>
-        <translation>eine Studie über Zeitpunkte braucht Zeiten, die ein Browser nicht liefert</translation>
     </message>
     <message>
         <source>Run the study with detent-play study run or in detent-edit</source>
@@ -12625,20 +11957,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie eine Adresse wie https://lab.example/answers an</translation>
     </message>
     <message>
-        <source>a page is for 1 to %1 participants, not %2</source>
-        <translation>eine Seite ist für 1 bis %1 Versuchspersonen, nicht für %2</translation>
-    </message>
-    <message>
         <source>Name the participants with --participants, separated by commas</source>
         <translation>Nennen Sie die Versuchspersonen mit --participants, durch Kommas getrennt</translation>
-    </message>
-    <message>
-        <source>%1 has begun already</source>
-        <translation>%1 hat schon begonnen</translation>
-    </message>
-    <message>
-        <source>%1 is named twice, or is too similar to another id</source>
-        <translation>%1 ist zweimal angegeben oder einer anderen Kennung zu ähnlich</translation>
     </message>
     <message>
         <source>Give ids that sound different when read aloud</source>
@@ -12651,14 +11971,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, d-prime=D with D from 0 to 10, timing=PLACE,SPREAD or presses=FILE</source>
         <translation>Geben Sie guess, perfect, errors=P mit P von 0 bis 1, threshold=T mit T von 0.001 bis 10, d-prime=D mit D von 0 bis 10, timing=ORT,STREUUNG oder presses=DATEI an</translation>
-    </message>
-    <message>
-        <source>d&apos; can answer only same/different studies</source>
-        <translation>d&apos; kann nur Studien same-different beantworten</translation>
-    </message>
-    <message>
-        <source>would be the name of two exported files</source>
-        <translation>wäre der Name zweier exportierter Dateien</translation>
     </message>
     <message>
         <source>Give the file another ending than %1</source>
@@ -12693,16 +12005,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Weniger als %1 einstellen</translation>
     </message>
     <message>
-        <source>%1 from rest reaches past the release point, %2</source>
-        <translation>%1 ab der Ruhelage reicht über den Rückstellpunkt, %2, hinaus</translation>
-    </message>
-    <message>
         <source>Set at most %1, or move the release point down</source>
         <translation>Höchstens %1 einstellen oder den Rückstellpunkt tiefer legen</translation>
-    </message>
-    <message>
-        <source>%1 before the end of the travel, %2, reaches past the actuation point, %3</source>
-        <translation>%1 vor dem Ende des Wegs, %2, reicht über den Auslösepunkt, %3, hinaus</translation>
     </message>
     <message>
         <source>Set at most %1, or move the actuation point up</source>
@@ -12716,53 +12020,741 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Give at least one reading</source>
         <translation>Geben Sie mindestens einen Messwert an</translation>
     </message>
+    <message>
+        <source>Check the connection of the sound device, or choose another one; `detent-play devices` and the Feel panel (Setup) list them</source>
+        <translation>Prüfen Sie die Verbindung des Tongeräts, oder wählen Sie ein anderes; „detent-play devices“ und der Bereich „Fühlen“ (Einrichtung) zeigen die Liste</translation>
+    </message>
+    <message>
+        <source>this computer has no sound output of this name</source>
+        <translation>dieser Rechner hat keinen Tonausgang dieses Namens</translation>
+    </message>
+    <message>
+        <source>this computer has no sound input of this name</source>
+        <translation>dieser Rechner hat keinen Toneingang dieses Namens</translation>
+    </message>
+    <message>
+        <source>Choose a sound device from the list of `detent-play devices` or of the Feel panel (Setup)</source>
+        <translation>Wählen Sie ein Tongerät aus der Liste von „detent-play devices“ oder des Bereichs „Fühlen“ (Einrichtung)</translation>
+    </message>
+    <message>
+        <source>several devices match this name: %1</source>
+        <translation>mehrere Geräte passen zu diesem Namen: %1</translation>
+    </message>
+    <message>
+        <source>the sound system or the sound device cannot be started</source>
+        <translation>das Tonsystem oder das Tongerät kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>the sound device cannot play and record at the same time</source>
+        <translation>das Tongerät kann nicht zugleich wiedergeben und aufnehmen</translation>
+    </message>
+    <message>
+        <source>the sound device stopped during the measurement</source>
+        <translation>das Tongerät blieb während der Messung stehen</translation>
+    </message>
+    <message>
+        <source>the Falcon was switched on and has no firmware yet</source>
+        <translation>der Falcon wurde eingeschaltet und hat noch keine Firmware</translation>
+    </message>
+    <message>
+        <source>the Falcon did not accept the firmware in %1 attempts</source>
+        <translation>der Falcon nahm die Firmware in %1 Versuchen nicht an</translation>
+    </message>
+    <message>
+        <source>the file cannot be read (%1)</source>
+        <translation>die Datei kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file is not Falcon firmware: it is too large</source>
+        <translation>die Datei ist keine Firmware eines Falcon: Sie ist zu groß</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the file is not Falcon firmware: it is not a boot image of the Falcon&apos;s processor</source>
+        <translation>die Datei ist keine Firmware eines Falcon: Sie ist kein Startabbild des Prozessors im Falcon</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the device</source>
+        <translation>Sie haben keine Berechtigung, das Gerät zu benutzen</translation>
+    </message>
+    <message>
+        <source>another program is using the device</source>
+        <translation>ein anderes Programm benutzt das Gerät</translation>
+    </message>
+    <message>
+        <source>the device cannot be opened (%1)</source>
+        <translation>das Gerät kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>this build of Detent does not support the Novint Falcon</source>
+        <translation>dieses Detent ist ohne Unterstützung des Novint Falcon gebaut</translation>
+    </message>
+    <message>
+        <source>Choose another force device, or install a build of Detent with the Falcon (docs/guide/force-feedback.md)</source>
+        <translation>Wählen Sie ein anderes Kraftgerät, oder installieren Sie ein Detent mit dem Falcon (docs/guide/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>the device can hold the force of only one speed; this button has graphs at %1 speeds</source>
+        <translation>das Gerät fasst die Kraft nur einer Geschwindigkeit; dieser Taster hat Graphen bei %1 Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>the device can run only one state; this button has %1</source>
+        <translation>das Gerät führt nur einen Zustand aus; dieser Taster hat %1</translation>
+    </message>
+    <message>
+        <source>Switch the upload of the force table off, so that this computer computes the force of self-locking buttons</source>
+        <translation>Schalten Sie die Übertragung der Krafttabelle aus, damit dieser Rechner die Kraft rastender Taster berechnet</translation>
+    </message>
+    <message>
+        <source>the port cannot be opened to receive messages (%1)</source>
+        <translation>der Port lässt sich nicht zum Empfangen öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>the device answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to %3 N/mm are stable; this button needs %4 N/mm</source>
+        <translation>das Gerät antwortet nach %1 ms, die Kraft wirkt daher %2 ms zu spät. Mit dieser Verzögerung sind Steigungen bis %3 N/mm stabil; dieser Taster braucht %4 N/mm</translation>
+    </message>
+    <message>
+        <source>the name of the serial port is missing; an example is %1:/dev/ttyACM0</source>
+        <translation>der Name der seriellen Schnittstelle fehlt; ein Beispiel ist %1:/dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>Correct the times and values in the CSV file of the press</source>
+        <translation>Berichtigen Sie die Zeiten und Werte in der CSV-Datei des Tastendrucks</translation>
+    </message>
+    <message>
+        <source>the device does not accept the limits for a slow connection</source>
+        <translation>das Gerät nimmt die Grenzen für eine langsame Verbindung nicht an</translation>
+    </message>
+    <message>
+        <source>the recording covers only %1 in steps of %2, which are too few steps</source>
+        <translation>die Aufzeichnung umfasst nur %1 in Schritten von %2, das sind zu wenige Schritte</translation>
+    </message>
+    <message>
+        <source>two exported files would get this name</source>
+        <translation>zwei exportierte Dateien bekämen diesen Namen</translation>
+    </message>
+    <message>
+        <source>the times of control points count from the Time of their curve. In the curve at %1 s they seem to count from the beginning of the pattern instead, so it is played too late</source>
+        <translation>die Zeiten von Stützpunkten zählen ab der Time ihrer Kurve. In der Kurve bei %1 s scheinen sie dagegen ab dem Anfang des Musters zu zählen, deshalb wird sie zu spät gespielt</translation>
+    </message>
+    <message>
+        <source>this control point lies before the previous one</source>
+        <translation>dieser Stützpunkt liegt vor dem vorigen</translation>
+    </message>
+    <message>
+        <source>the version is %1, but only version 1 of AHAP can be read</source>
+        <translation>die Version ist %1, lesbar ist aber nur Version 1 von AHAP</translation>
+    </message>
+    <message>
+        <source>this point lies before the previous one</source>
+        <translation>dieser Punkt liegt vor dem vorigen</translation>
+    </message>
+    <message>
+        <source>the version is %1, but only version 1 of .haptic can be read</source>
+        <translation>die Version ist %1, lesbar ist aber nur Version 1 von .haptic</translation>
+    </message>
+    <message>
+        <source>the emphasis is weaker than the point that it emphasizes</source>
+        <translation>die Betonung ist schwächer als der Punkt, den sie betont</translation>
+    </message>
+    <message>
+        <source>Give the emphasis at least the amplitude of this point</source>
+        <translation>Geben Sie der Betonung mindestens die Amplitude dieses Punkts</translation>
+    </message>
+    <message>
+        <source>the list holds no point</source>
+        <translation>die Liste enthält keinen Punkt</translation>
+    </message>
+    <message>
+        <source>there is no base signal %1</source>
+        <translation>es gibt kein Grundsignal %1</translation>
+    </message>
+    <message>
+        <source>this keyframe lies before the previous one</source>
+        <translation>dieses Schlüsselbild liegt vor dem vorigen</translation>
+    </message>
+    <message>
+        <source>there is no band type %1</source>
+        <translation>es gibt keine Art von Band mit dem Namen %1</translation>
+    </message>
+    <message>
+        <source>this effect is not in the effect_library</source>
+        <translation>dieser Effekt steht nicht in der effect_library</translation>
+    </message>
+    <message>
+        <source>the version is %1, but only the editions of 2023 and 2025 can be read</source>
+        <translation>die Version ist %1, lesbar sind aber nur die Ausgaben von 2023 und 2025</translation>
+    </message>
+    <message>
+        <source>the file contains nothing to play</source>
+        <translation>die Datei enthält nichts zum Abspielen</translation>
+    </message>
+    <message>
+        <source>the file lasts %1 s</source>
+        <translation>die Datei dauert %1 s</translation>
+    </message>
+    <message>
+        <source>the events of the file overlap and last %1 s in total</source>
+        <translation>die Ereignisse der Datei überlappen einander und dauern zusammen %1 s</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the file is JSON, but not a haptic file</source>
+        <translation>die Datei ist JSON, aber keine haptische Datei</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MB</source>
+        <translation>die Datei ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>the file is not valid JSON: %1</source>
+        <translation>die Datei ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>the file holds a number that is too large: %1</source>
+        <translation>die Datei enthält eine zu große Zahl: %1</translation>
+    </message>
+    <message>
+        <source>the file is neither JSON nor a sound file that can be read</source>
+        <translation>die Datei ist weder JSON noch eine lesbare Tondatei</translation>
+    </message>
+    <message>
+        <source>a top dead zone of %1 reaches past the release point, which is at %2</source>
+        <translation>eine obere Totzone von %1 reicht über den Rückstellpunkt bei %2 hinaus</translation>
+    </message>
+    <message>
+        <source>a bottom dead zone of %1 before the end of the travel at %2 reaches past the actuation point, which is at %3</source>
+        <translation>eine untere Totzone von %1 vor dem Ende des Wegs bei %2 reicht über den Auslösepunkt bei %3 hinaus</translation>
+    </message>
+    <message>
+        <source>this entry is given twice</source>
+        <translation>dieser Eintrag kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>this entry is not known</source>
+        <translation>dieser Eintrag ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the value is not a single number</source>
+        <translation>der Wert ist nicht eine einzelne Zahl</translation>
+    </message>
+    <message>
+        <source>the value lies outside %1 to %2</source>
+        <translation>der Wert liegt außerhalb %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a newer Detent wrote this file (version %1)</source>
+        <translation>ein neueres Detent hat diese Datei geschrieben (Version %1)</translation>
+    </message>
+    <message>
+        <source>the line has no &quot;=&quot;</source>
+        <translation>die Zeile hat kein „=“</translation>
+    </message>
+    <message>
+        <source>this build of Detent has no live playback</source>
+        <translation>dieses Detent ist ohne Live-Wiedergabe gebaut</translation>
+    </message>
+    <message>
+        <source>Install a build of Detent with live playback, or write the vibration to a sound file (in the window: File &gt; Export; on the command line: `detent-play render`)</source>
+        <translation>Installieren Sie ein Detent mit Live-Wiedergabe, oder schreiben Sie die Vibration in eine Tondatei (im Fenster: Datei &gt; Exportieren; auf der Befehlszeile: „detent-play render“)</translation>
+    </message>
+    <message>
+        <source>none of the %1 readings can be used, because each is out of range or not a number</source>
+        <translation>keiner der %1 Messwerte ist verwendbar, weil jeder außerhalb des Bereichs liegt oder keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>the press trace contains no readings</source>
+        <translation>der Druckverlauf enthält keine Messwerte</translation>
+    </message>
+    <message>
+        <source>this is not a readable sound file: its header is damaged</source>
+        <translation>dies ist keine lesbare Tondatei: Ihr Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>this is not a readable sound file: %1</source>
+        <translation>dies ist keine lesbare Tondatei: %1</translation>
+    </message>
+    <message>
+        <source>the sound file has %1 samples a second</source>
+        <translation>die Tondatei hat %1 Werte je Sekunde</translation>
+    </message>
+    <message>
+        <source>the sound file has %1 channels</source>
+        <translation>die Tondatei hat %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>the sound file holds no sample</source>
+        <translation>die Tondatei enthält keinen Wert</translation>
+    </message>
+    <message>
+        <source>sample %1 of the sound file is not a number</source>
+        <translation>Wert %1 der Tondatei ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Install a build of Detent that can make web pages. If you build Detent yourself, first install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32</source>
+        <translation>Installieren Sie ein Detent, das Webseiten erzeugen kann. Wenn Sie Detent selbst bauen, installieren Sie zuerst clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 und libclang-rt-14-dev-wasm32</translation>
+    </message>
+    <message>
+        <source>the value is %1</source>
+        <translation>der Wert ist %1</translation>
+    </message>
+    <message>
+        <source>the travel ends at %1, but %2 reaches only %3</source>
+        <translation>der Weg endet bei %1, %2 reicht aber nur bis %3</translation>
+    </message>
+    <message>
+        <source>the equalizer has %1 bands, but at most %2 are allowed</source>
+        <translation>der Equalizer hat %1 Bänder, erlaubt sind aber höchstens %2</translation>
+    </message>
+    <message>
+        <source>the device has so little friction or damping that no button is stable on it</source>
+        <translation>das Gerät hat so wenig Reibung oder Dämpfung, dass kein Taster darauf stabil ist</translation>
+    </message>
+    <message>
+        <source>the file is not a journal of a study</source>
+        <translation>die Datei ist kein Journal einer Studie</translation>
+    </message>
+    <message>
+        <source>the step was cancelled</source>
+        <translation>der Schritt wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>the strength of the vibration</source>
+        <translation>die Stärke der Vibration</translation>
+    </message>
+    <message>
+        <source>the moment of the click</source>
+        <translation>der Zeitpunkt des Klicks</translation>
+    </message>
+    <message>
+        <source>the force needed to press</source>
+        <translation>die Kraft zum Drücken</translation>
+    </message>
+    <message>
+        <source>the travel that is felt</source>
+        <translation>der gefühlte Weg</translation>
+    </message>
+    <message>
+        <source>distinguishable: %1</source>
+        <translation>unterscheidbar: %1</translation>
+    </message>
+    <message>
+        <source>not distinguishable: %1</source>
+        <translation>nicht unterscheidbar: %1</translation>
+    </message>
+    <message>
+        <source>probably distinguishable: %1</source>
+        <translation>wahrscheinlich unterscheidbar: %1</translation>
+    </message>
+    <message>
+        <source>probably not distinguishable: %1</source>
+        <translation>wahrscheinlich nicht unterscheidbar: %1</translation>
+    </message>
+    <message>
+        <source>a timing study needs exact times, which a browser does not give</source>
+        <translation>eine Studie des Timings braucht genaue Zeiten, die ein Browser nicht liefert</translation>
+    </message>
+    <message>
+        <source>the participant %1 has begun already</source>
+        <translation>die Versuchsperson %1 hat schon begonnen</translation>
+    </message>
+    <message>
+        <source>on a force device, the participant presses the device itself, so a force sensor cannot be used as well</source>
+        <translation>auf einem Kraftgerät drückt die Versuchsperson das Gerät selbst, deshalb lässt sich nicht zugleich ein Kraftsensor verwenden</translation>
+    </message>
+    <message>
+        <source>Use either the force device or the force sensor</source>
+        <translation>Verwenden Sie entweder das Kraftgerät oder den Kraftsensor</translation>
+    </message>
+    <message>
+        <source>the device would play only the button that was uploaded, but a study switches between buttons</source>
+        <translation>das Gerät würde nur den übertragenen Taster ausführen, eine Studie wechselt aber zwischen Tastern</translation>
+    </message>
+    <message>
+        <source>Switch the upload of the force table off</source>
+        <translation>Schalten Sie die Übertragung der Krafttabelle aus</translation>
+    </message>
+    <message>
+        <source>a force device produces forces, but this study compares properties that only a vibration has</source>
+        <translation>ein Kraftgerät erzeugt Kräfte, diese Studie vergleicht aber Eigenschaften, die nur eine Vibration hat</translation>
+    </message>
+    <message>
+        <source>Do not use the force device, or make a study that has only the mode full</source>
+        <translation>Verzichten Sie auf das Kraftgerät, oder legen Sie eine Studie an, die nur die Art „full“ hat</translation>
+    </message>
+    <message>
+        <source>the file is not encoded as UTF-8</source>
+        <translation>die Datei ist nicht als UTF-8 kodiert</translation>
+    </message>
+    <message>
+        <source>Save the file as UTF-8 text</source>
+        <translation>Speichern Sie die Datei als Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>there are two consent texts for %1</source>
+        <translation>es gibt zwei Einwilligungstexte für %1</translation>
+    </message>
+    <message>
+        <source>the folder has no consent text in the language &quot;%1&quot;</source>
+        <translation>der Ordner hat keinen Einwilligungstext in der Sprache „%1“</translation>
+    </message>
+    <message>
+        <source>this study is already a merged study</source>
+        <translation>diese Studie ist schon eine zusammengeführte Studie</translation>
+    </message>
+    <message>
+        <source>this study has other questions or other buttons than &quot;%1&quot;</source>
+        <translation>diese Studie hat andere Fragen oder andere Taster als „%1“</translation>
+    </message>
+    <message>
+        <source>the plan of this study treats participants who did not finish differently from that of &quot;%1&quot;</source>
+        <translation>der Plan dieser Studie behandelt Versuchspersonen, die nicht fertig wurden, anders als der von „%1“</translation>
+    </message>
+    <message>
+        <source>the folder exists already</source>
+        <translation>den Ordner gibt es schon</translation>
+    </message>
+    <message>
+        <source>the folder cannot be created (%1)</source>
+        <translation>der Ordner kann nicht angelegt werden (%1)</translation>
+    </message>
+    <message>
+        <source>Check the folder in which it should be created</source>
+        <translation>Prüfen Sie den Ordner, in dem er angelegt werden soll</translation>
+    </message>
+    <message>
+        <source>the content is broken (%1)</source>
+        <translation>der Inhalt ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read (%1)</source>
+        <translation>der Ordner kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file &quot;%1&quot;, which belongs to the journal, is missing; the end of the journal may have been cut off</source>
+        <translation>die Datei „%1“, die zum Journal gehört, fehlt; das Ende des Journals kann abgeschnitten sein</translation>
+    </message>
+    <message>
+        <source>the file does not record the length of the journal</source>
+        <translation>die Datei hält die Länge des Journals nicht fest</translation>
+    </message>
+    <message>
+        <source>the journal should have %1 lines, but some of them are missing</source>
+        <translation>das Journal sollte %1 Zeilen haben, einige davon fehlen aber</translation>
+    </message>
+    <message>
+        <source>this participant already has simulated answers</source>
+        <translation>diese Versuchsperson hat schon simulierte Antworten</translation>
+    </message>
+    <message>
+        <source>this participant already has answers of a person</source>
+        <translation>diese Versuchsperson hat schon Antworten einer Person</translation>
+    </message>
+    <message>
+        <source>this participant has used the listening condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
+        <translation>diese Versuchsperson hatte bisher die Hörbedingung „%1“, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>this id is too similar to &quot;%1&quot;, which is already in the study</source>
+        <translation>diese Kennung ist „%1“ zu ähnlich, die schon in der Studie ist</translation>
+    </message>
+    <message>
+        <source>the file does not have the columns trial and press_s</source>
+        <translation>die Datei hat die Spalten trial und press_s nicht</translation>
+    </message>
+    <message>
+        <source>this line has too few fields</source>
+        <translation>diese Zeile hat zu wenige Felder</translation>
+    </message>
+    <message>
+        <source>this line does not hold a trial and a time</source>
+        <translation>diese Zeile enthält keinen Durchgang mit Zeit</translation>
+    </message>
+    <message>
+        <source>the file holds no press</source>
+        <translation>die Datei enthält keinen Tastendruck</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a way to simulate answers</source>
+        <translation>„%1“ ist keine Art, Antworten zu simulieren</translation>
+    </message>
+    <message>
+        <source>this kind of simulation cannot answer a timing study</source>
+        <translation>diese Art der Simulation kann keine Studie des Timings beantworten</translation>
+    </message>
+    <message>
+        <source>a simulated sensitivity (d&apos;) can answer only same/different studies</source>
+        <translation>eine simulierte Empfindlichkeit (d&apos;) kann nur Studien „gleich oder verschieden“ beantworten</translation>
+    </message>
+    <message>
+        <source>a simulated threshold can answer only threshold studies</source>
+        <translation>eine simulierte Schwelle kann nur Schwellenstudien beantworten</translation>
+    </message>
+    <message>
+        <source>the file is not a study plan that this program knows</source>
+        <translation>die Datei ist kein Studienplan, den dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>the plan names a rule for participants who did not finish that this program does not know</source>
+        <translation>der Plan nennt eine Regel für Versuchspersonen, die nicht fertig wurden, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>the file does not hold study counts of version %1</source>
+        <translation>die Datei enthält keine Zählungen einer Studie der Version %1</translation>
+    </message>
+    <message>
+        <source>increasing &quot;%3&quot; makes no difference to the feel of the button &quot;%1&quot; (%2)</source>
+        <translation>mehr „%3“ ändert nichts daran, wie sich der Taster „%1“ anfühlt (%2)</translation>
+    </message>
+    <message>
+        <source>the file names a mode &quot;%1&quot; that does not exist</source>
+        <translation>die Datei nennt eine Art „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the file does not describe a study</source>
+        <translation>die Datei beschreibt keine Studie</translation>
+    </message>
+    <message>
+        <source>Choose a folder that New study or `detent-play study new` made</source>
+        <translation>Wählen Sie einen Ordner, den „Neue Studie“ oder „detent-play study new“ angelegt hat</translation>
+    </message>
+    <message>
+        <source>the study has version %1; this program knows the versions 1 to %2</source>
+        <translation>die Studie hat Version %1; dieses Programm kennt die Versionen 1 bis %2</translation>
+    </message>
+    <message>
+        <source>Use the version of Detent that made the study</source>
+        <translation>Verwenden Sie die Version von Detent, mit der die Studie angelegt wurde</translation>
+    </message>
+    <message>
+        <source>the order of the questions was made by another generator, %1</source>
+        <translation>die Reihenfolge der Fragen stammt von einem anderen Generator, %1</translation>
+    </message>
+    <message>
+        <source>the file names a kind of study &quot;%1&quot; that does not exist</source>
+        <translation>die Datei nennt eine Studienart „%1“, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the file names a quantity %1 that does not exist</source>
+        <translation>die Datei nennt eine Größe %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the file names a rating scale %1 that does not exist</source>
+        <translation>die Datei nennt eine Bewertungsskala %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the file names a task %1 that does not exist</source>
+        <translation>die Datei nennt eine Aufgabe %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the file names a kind of feel %1 that does not exist</source>
+        <translation>die Datei nennt eine Art des Gefühls %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the file has increased versions of a button &quot;%1&quot; that is not in the study</source>
+        <translation>die Datei hat gesteigerte Fassungen eines Tasters „%1“, der nicht in der Studie ist</translation>
+    </message>
+    <message>
+        <source>the file has fewer than two increased versions of the button &quot;%1&quot;</source>
+        <translation>die Datei hat weniger als zwei gesteigerte Fassungen des Tasters „%1“</translation>
+    </message>
+    <message>
+        <source>the file was changed after the study was made</source>
+        <translation>die Datei wurde geändert, nachdem die Studie angelegt wurde</translation>
+    </message>
+    <message>
+        <source>the file names a button &quot;%1&quot; that is not in the study</source>
+        <translation>die Datei nennt einen Taster „%1“, der nicht in der Studie ist</translation>
+    </message>
+    <message>
+        <source>the file does not record how the button &quot;%1&quot; feels in the mode %2</source>
+        <translation>die Datei hält nicht fest, wie sich der Taster „%1“ in der Art %2 anfühlt</translation>
+    </message>
+    <message>
+        <source>the name of the file is not encoded as UTF-8</source>
+        <translation>der Name der Datei ist nicht als UTF-8 kodiert</translation>
+    </message>
+    <message>
+        <source>two of the button files have the name &quot;%1&quot;</source>
+        <translation>zwei der Tasterdateien haben den Namen „%1“</translation>
+    </message>
+    <message>
+        <source>the list of times is empty or too long, repeats a time, or has a time outside %1 to %2 s</source>
+        <translation>die Liste der Zeiten ist leer oder zu lang, wiederholt eine Zeit oder hat eine Zeit außerhalb %1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>the list of times is empty or too long, repeats a time, or has a time that is outside %1 to %2 s or as long as an interval</source>
+        <translation>die Liste der Zeiten ist leer oder zu lang, wiederholt eine Zeit oder hat eine Zeit, die außerhalb %1 bis %2 s liegt oder so lang wie ein Intervall ist</translation>
+    </message>
+    <message>
+        <source>the study has no button</source>
+        <translation>die Studie hat keinen Taster</translation>
+    </message>
+    <message>
+        <source>the study has only 1 button</source>
+        <translation>die Studie hat nur 1 Taster</translation>
+    </message>
+    <message>
+        <source>the study has %1 buttons</source>
+        <translation>die Studie hat %1 Taster</translation>
+    </message>
+    <message>
+        <source>this option cannot be used in a study without pairs</source>
+        <translation>diese Option lässt sich in einer Studie ohne Paare nicht verwenden</translation>
+    </message>
+    <message>
+        <source>%1 pairs are requested, but there are only %2</source>
+        <translation>verlangt sind %1 Paare, es gibt aber nur %2</translation>
+    </message>
+    <message>
+        <source>no mode is given, or one mode is given twice</source>
+        <translation>es ist keine Art angegeben, oder eine Art zweimal</translation>
+    </message>
+    <message>
+        <source>the mode &quot;off&quot; plays nothing that participants could feel</source>
+        <translation>die Art „off“ spielt nichts, das Versuchspersonen fühlen könnten</translation>
+    </message>
+    <message>
+        <source>this option needs a matching study</source>
+        <translation>diese Option braucht eine Zuordnungsstudie</translation>
+    </message>
+    <message>
+        <source>the folder is not a study: its study.json cannot be read (%1)</source>
+        <translation>der Ordner ist keine Studie: Seine study.json lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a study, or make a new study (in the window: Button &gt; Study with people; on the command line: `detent-play study new`)</source>
+        <translation>Wählen Sie den Ordner einer Studie, oder legen Sie eine neue Studie an (im Fenster: Taster &gt; Studie mit Menschen; auf der Befehlszeile: „detent-play study new“)</translation>
+    </message>
+    <message>
+        <source>the file names no sites that this program knows</source>
+        <translation>die Datei nennt keine Standorte, die dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the button has no room to increase &quot;%1&quot; by 10 %</source>
+        <translation>der Taster lässt keinen Platz, um „%1“ um 10 % zu erhöhen</translation>
+    </message>
+    <message>
+        <source>the study already has a participant, so it is too late for a plan</source>
+        <translation>die Studie hat schon eine Versuchsperson, für einen Plan ist es daher zu spät</translation>
+    </message>
+    <message>
+        <source>Check the folder in which it should be created, and its permissions</source>
+        <translation>Prüfen Sie den Ordner, in dem er angelegt werden soll, und dessen Rechte</translation>
+    </message>
+    <message>
+        <source>the ODrive reports no error, but does not reach closed-loop control</source>
+        <translation>der ODrive meldet keinen Fehler, erreicht aber die Regelung (closed-loop control) nicht</translation>
+    </message>
+    <message>
+        <source>%1 must start with the line &quot;%2 %3&quot;</source>
+        <translation>%1 muss mit der Zeile „%2 %3“ beginnen</translation>
+    </message>
+    <message>
+        <source>this build of Detent cannot make a web page on which buttons can be pressed</source>
+        <translation>dieses Detent kann keine Webseite erzeugen, auf der sich Taster drücken lassen</translation>
+    </message>
+    <message>
+        <source>a web page can hold 1 to %1 buttons, but %2 were given</source>
+        <translation>eine Webseite kann 1 bis %1 Taster enthalten, angegeben sind aber %2</translation>
+    </message>
+    <message>
+        <source>a web page is for 1 to %1 participants, but %2 were given</source>
+        <translation>eine Webseite ist für 1 bis %1 Versuchspersonen, angegeben sind aber %2</translation>
+    </message>
+    <message>
+        <source>the participant %1 is named twice, or the id is too similar to another one</source>
+        <translation>die Versuchsperson %1 ist zweimal genannt, oder die Kennung ist einer anderen zu ähnlich</translation>
+    </message>
+    <message>
+        <source>there are %1 names for %2 studies</source>
+        <translation>es gibt %1 Namen für %2 Studien</translation>
+    </message>
+    <message>
+        <source>Restore the folder from a copy</source>
+        <translation>Stellen Sie den Ordner aus einer Kopie wieder her</translation>
+    </message>
+    <message>
+        <source>in falcon:N, N is the number of the Falcon, starting with 0</source>
+        <translation>in falcon:N ist N die Nummer des Falcon, beginnend mit 0</translation>
+    </message>
+    <message>
+        <source>Keep only the strongest bands</source>
+        <translation>Behalten Sie nur die stärksten Bänder</translation>
+    </message>
+    <message>
+        <source>Give the friction and the damping of the device, or choose another device</source>
+        <translation>Geben Sie Reibung und Dämpfung des Geräts an, oder wählen Sie ein anderes</translation>
+    </message>
+    <message>
+        <source>in a tapping study, the PLACE of timing=PLACE,SPREAD is the time between presses in seconds</source>
+        <translation>in einer Studie des Tippens ist PLACE in timing=PLACE,SPREAD die Zeit zwischen den Tastendrücken in Sekunden</translation>
+    </message>
+    <message>
+        <source>Give a list of 1 to %1 times that all differ</source>
+        <translation>Geben Sie eine Liste von 1 bis %1 verschiedenen Zeiten an</translation>
+    </message>
+    <message>
+        <source>Give a list of 1 to %1 times that are all shorter than the shortest interval</source>
+        <translation>Geben Sie eine Liste von 1 bis %1 Zeiten an, die alle kürzer als das kürzeste Intervall sind</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
     <message>
-        <source>cannot be started</source>
-        <translation>kann nicht gestartet werden</translation>
+        <source>the sound system or the sound device cannot be started</source>
+        <translation>das Tonsystem oder das Tongerät kann nicht gestartet werden</translation>
     </message>
     <message>
-        <source>cannot be used for recording</source>
-        <translation>kann nicht zum Aufnehmen verwendet werden</translation>
+        <source>the sound device cannot be used for recording</source>
+        <translation>das Tongerät kann nicht zum Aufnehmen verwendet werden</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::AudioOutput::Stream</name>
     <message>
-        <source>cannot be started</source>
-        <translation>kann nicht gestartet werden</translation>
-    </message>
-    <message>
-        <source>has only one output: the masking noise would be felt</source>
-        <translation>hat nur einen Ausgang: Das Maskierrauschen wäre zu fühlen</translation>
-    </message>
-    <message>
         <source>Name the sound device of the headphones with the option --noise-device</source>
         <translation>Nennen Sie das Tongerät der Kopfhörer mit der Option --noise-device</translation>
     </message>
     <message>
-        <source>cannot be opened at %1 Hz</source>
-        <translation>kann bei %1 Hz nicht geöffnet werden</translation>
+        <source>the sound system or the sound device cannot be started</source>
+        <translation>das Tonsystem oder das Tongerät kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>the sound device has only one output, so participants would feel the masking noise</source>
+        <translation>das Tongerät hat nur einen Ausgang, deshalb würden Versuchspersonen das Maskierrauschen fühlen</translation>
+    </message>
+    <message>
+        <source>the sound device cannot be opened at %1 Hz</source>
+        <translation>das Tongerät kann bei %1 Hz nicht geöffnet werden</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::FalconUsb</name>
     <message>
-        <source>is not connected</source>
-        <translation>ist nicht angeschlossen</translation>
-    </message>
-    <message>
         <source>Check its cable and its power supply, or try it without hardware: --device sim:falcon</source>
         <translation>Prüfen Sie Kabel und Netzteil oder versuchen Sie es ohne Gerät: --device sim:falcon</translation>
+    </message>
+    <message>
+        <source>the Falcon is not connected</source>
+        <translation>der Falcon ist nicht angeschlossen</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::HapticPreparation</name>
     <message>
-        <source>at the levels of the published method, the click at %2 is masked: slope or bottom-out is over %1 dB stronger. Use --feel clear to keep the click</source>
-        <translation>mit den Pegeln der Veröffentlichung ist der Klick bei %2 maskiert: Steigung oder Anschlag ist über %1 dB stärker. Mit --feel clear bleibt der Klick fühlbar</translation>
+        <source>with the levels of the published method, the click at %2 cannot be felt, because the slope or the bottom-out is more than %1 dB stronger. Use --feel clear to keep the click</source>
+        <translation>mit den Pegeln der Veröffentlichung ist der Klick bei %2 nicht zu fühlen, weil Steigung oder Anschlag um mehr als %1 dB stärker ist. Mit --feel clear bleibt der Klick fühlbar</translation>
     </message>
 </context>
 <context>
@@ -12772,160 +12764,144 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der JACK-Server antwortet nicht</translation>
     </message>
     <message>
-        <source>Start jackd</source>
-        <translation>Starten Sie jackd</translation>
-    </message>
-    <message>
-        <source>runs at another sample rate</source>
-        <translation>läuft mit einer anderen Abtastrate</translation>
-    </message>
-    <message>
         <source>Leave --device-rate out</source>
         <translation>Lassen Sie --device-rate weg</translation>
-    </message>
-    <message>
-        <source>runs at a rate outside 8000..192000 Hz</source>
-        <translation>läuft mit einer Rate außerhalb 8000 bis 192000 Hz</translation>
-    </message>
-    <message>
-        <source>Restart jackd at another rate</source>
-        <translation>Starten Sie jackd mit einer anderen Rate neu</translation>
-    </message>
-    <message>
-        <source>has no free ports</source>
-        <translation>hat keine freien Anschlüsse</translation>
     </message>
     <message>
         <source>Close another JACK program</source>
         <translation>Schließen Sie ein anderes JACK-Programm</translation>
     </message>
     <message>
-        <source>does not start</source>
-        <translation>startet nicht</translation>
+        <source>Start the JACK server (jackd)</source>
+        <translation>Starten Sie den JACK-Server (jackd)</translation>
     </message>
     <message>
-        <source>Restart jackd</source>
-        <translation>Starten Sie jackd neu</translation>
+        <source>the JACK server runs at another sample rate</source>
+        <translation>der JACK-Server läuft mit einer anderen Abtastrate</translation>
     </message>
     <message>
-        <source>has no inputs</source>
-        <translation>hat keine Eingänge</translation>
+        <source>the JACK server runs at a sample rate outside 8000 to 192000 Hz</source>
+        <translation>der JACK-Server läuft mit einer Abtastrate außerhalb 8000 bis 192000 Hz</translation>
     </message>
     <message>
-        <source>Choose another output; `detent-play devices` lists them</source>
-        <translation>Wählen Sie einen anderen Ausgang; `detent-play devices` zählt sie auf</translation>
+        <source>Restart the JACK server at another sample rate</source>
+        <translation>Starten Sie den JACK-Server mit einer anderen Abtastrate neu</translation>
     </message>
     <message>
-        <source>is not part of this build</source>
-        <translation>ist in diesem Programm nicht eingebaut</translation>
+        <source>the JACK server has no free ports</source>
+        <translation>der JACK-Server hat keine freien Anschlüsse</translation>
     </message>
     <message>
-        <source>Build with libjack-jackd2-dev</source>
-        <translation>Bauen Sie mit libjack-jackd2-dev</translation>
+        <source>the connection to the JACK server does not start</source>
+        <translation>die Verbindung zum JACK-Server startet nicht</translation>
+    </message>
+    <message>
+        <source>Restart the JACK server (jackd)</source>
+        <translation>Starten Sie den JACK-Server (jackd) neu</translation>
+    </message>
+    <message>
+        <source>this JACK device has no inputs to connect to</source>
+        <translation>dieses JACK-Gerät hat keine Eingänge zum Verbinden</translation>
+    </message>
+    <message>
+        <source>Choose another sound device; `detent-play devices` and the Feel panel (Setup) list them</source>
+        <translation>Wählen Sie ein anderes Tongerät; „detent-play devices“ und der Bereich „Fühlen“ (Einrichtung) zeigen die Liste</translation>
+    </message>
+    <message>
+        <source>this build of Detent has no JACK output</source>
+        <translation>dieses Detent ist ohne Ausgabe über JACK gebaut</translation>
+    </message>
+    <message>
+        <source>Choose a sound device without &quot;JACK:&quot;, or install a build of Detent with JACK</source>
+        <translation>Wählen Sie ein Tongerät ohne „JACK:“, oder installieren Sie ein Detent mit JACK</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::JsonPlace</name>
     <message>
-        <source>has no %1</source>
-        <translation>hat kein %1</translation>
-    </message>
-    <message>
-        <source>is not a list</source>
-        <translation>ist keine Liste</translation>
-    </message>
-    <message>
-        <source>is not a number</source>
-        <translation>ist keine Zahl</translation>
-    </message>
-    <message>
         <source>Correct the value</source>
         <translation>Berichtigen Sie den Wert</translation>
-    </message>
-    <message>
-        <source>is %1</source>
-        <translation>ist %1</translation>
     </message>
     <message>
         <source>Give a number from %1 to %2</source>
         <translation>Geben Sie eine Zahl von %1 bis %2 an</translation>
     </message>
     <message>
-        <source>is not text</source>
-        <translation>ist kein Text</translation>
+        <source>the field %1 is missing</source>
+        <translation>das Feld %1 fehlt</translation>
+    </message>
+    <message>
+        <source>the value is not a list</source>
+        <translation>der Wert ist keine Liste</translation>
+    </message>
+    <message>
+        <source>the value is not a number</source>
+        <translation>der Wert ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the value is %1</source>
+        <translation>der Wert ist %1</translation>
+    </message>
+    <message>
+        <source>the value is not text</source>
+        <translation>der Wert ist kein Text</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::LineJournal</name>
     <message>
-        <source>cannot be opened</source>
-        <translation>kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>cannot be locked</source>
-        <translation>kann nicht gesperrt werden</translation>
-    </message>
-    <message>
-        <source>is being written by another process</source>
-        <translation>wird gerade von einem anderen Prozess geschrieben</translation>
-    </message>
-    <message>
         <source>End that session first, or give another participant&apos;s id</source>
         <translation>Beenden Sie zuerst jene Sitzung oder geben Sie eine andere Kennung an</translation>
     </message>
     <message>
-        <source>cannot be read</source>
-        <translation>kann nicht gelesen werden</translation>
+        <source>the journal cannot be opened</source>
+        <translation>das Journal kann nicht geöffnet werden</translation>
     </message>
     <message>
-        <source>cannot be shortened to its last complete line</source>
-        <translation>lässt sich nicht auf die letzte ganze Zeile kürzen</translation>
+        <source>the journal cannot be locked</source>
+        <translation>das Journal kann nicht gesperrt werden</translation>
     </message>
     <message>
-        <source>could not be extended by one line</source>
-        <translation>ließ sich nicht um eine Zeile verlängern</translation>
+        <source>another program is writing this journal</source>
+        <translation>ein anderes Programm schreibt gerade dieses Journal</translation>
+    </message>
+    <message>
+        <source>the journal cannot be read</source>
+        <translation>das Journal kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the journal cannot be shortened to its last complete line</source>
+        <translation>das Journal lässt sich nicht auf seine letzte ganze Zeile kürzen</translation>
+    </message>
+    <message>
+        <source>a line could not be added to the journal</source>
+        <translation>dem Journal ließ sich keine Zeile hinzufügen</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::LivePlayer</name>
     <message>
-        <source>%1 Hz lies outside 8000..192000</source>
-        <translation>%1 Hz liegt außerhalb 8000 bis 192000</translation>
-    </message>
-    <message>
         <source>Choose another rate</source>
         <translation>Wählen Sie eine andere Rate</translation>
+    </message>
+    <message>
+        <source>the sample rate %1 Hz lies outside 8000 to 192000 Hz</source>
+        <translation>die Abtastrate %1 Hz liegt außerhalb 8000 bis 192000 Hz</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::MagneticSensor</name>
     <message>
-        <source>has fewer than two pairs of displacement and reading</source>
-        <translation>hat weniger als zwei Paare aus Weg und Messwert</translation>
-    </message>
-    <message>
         <source>Measure readings at several places of the travel</source>
         <translation>An mehreren Stellen des Wegs messen</translation>
-    </message>
-    <message>
-        <source>is not a usable number</source>
-        <translation>ist keine brauchbare Zahl</translation>
     </message>
     <message>
         <source>Remove or correct the value</source>
         <translation>Entfernen oder berichtigen Sie den Wert</translation>
     </message>
     <message>
-        <source>is not deeper than the previous pair</source>
-        <translation>liegt nicht tiefer als das vorige Paar</translation>
-    </message>
-    <message>
         <source>Sort the pairs by displacement</source>
         <translation>Die Paare nach dem Weg ordnen</translation>
-    </message>
-    <message>
-        <source>has a reading that does not continue to rise or fall</source>
-        <translation>hat einen Messwert, der nicht weiter steigt oder fällt</translation>
     </message>
     <message>
         <source>Leave out the part of the travel where the reading of the sensor stays the same or turns back</source>
@@ -12936,24 +12912,40 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Eine CSV mit der Kopfzeile displacement_mm,reading angeben</translation>
     </message>
     <message>
-        <source>is empty</source>
-        <translation>ist leer</translation>
-    </message>
-    <message>
-        <source>has no columns displacement_mm and reading</source>
-        <translation>hat keine Spalten displacement_mm und reading</translation>
-    </message>
-    <message>
-        <source>does not hold two usable numbers</source>
-        <translation>enthält keine zwei brauchbaren Zahlen</translation>
-    </message>
-    <message>
-        <source>must lie between 0 and 1000000 counts</source>
-        <translation>muss zwischen 0 und 1000000 Schritten des Wandlers liegen</translation>
-    </message>
-    <message>
         <source>Give the standard deviation of the readings at rest</source>
         <translation>Die Standardabweichung der Messwerte in Ruhe angeben</translation>
+    </message>
+    <message>
+        <source>the noise must lie between 0 and 1000000 counts</source>
+        <translation>das Rauschen muss zwischen 0 und 1000000 Schritten des Wandlers liegen</translation>
+    </message>
+    <message>
+        <source>the file has fewer than two pairs of displacement and reading</source>
+        <translation>die Datei hat weniger als zwei Paare aus Weg und Messwert</translation>
+    </message>
+    <message>
+        <source>one of the two values is not a usable number</source>
+        <translation>einer der beiden Werte ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>this pair is not deeper than the previous one</source>
+        <translation>dieses Paar liegt nicht tiefer als das vorige</translation>
+    </message>
+    <message>
+        <source>the reading of this pair does not continue to rise or fall</source>
+        <translation>der Messwert dieses Paars steigt oder fällt nicht weiter</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the file has no columns displacement_mm and reading</source>
+        <translation>die Datei hat keine Spalten displacement_mm und reading</translation>
+    </message>
+    <message>
+        <source>this line does not hold two usable numbers</source>
+        <translation>diese Zeile enthält keine zwei brauchbaren Zahlen</translation>
     </message>
 </context>
 <context>
@@ -13002,20 +12994,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Durchgang %1</translation>
     </message>
     <message>
-        <source>is not the current trial</source>
-        <translation>ist nicht der laufende Durchgang</translation>
-    </message>
-    <message>
         <source>Answer the trial that is shown</source>
         <translation>Beantworten Sie den Durchgang, der gezeigt wird</translation>
-    </message>
-    <message>
-        <source>does not lie on the scale</source>
-        <translation>liegt nicht auf der Skala</translation>
-    </message>
-    <message>
-        <source>contains no number</source>
-        <translation>enthält keine Zahl</translation>
     </message>
     <message>
         <source>Give a number above 0, at most a million</source>
@@ -13026,128 +13006,132 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie 1, 2, 3, 4, 5, 6 oder 7 an</translation>
     </message>
     <message>
-        <source>has no press within the time that counts</source>
-        <translation>hat keinen Tastendruck in der Zeit, die zählt</translation>
-    </message>
-    <message>
         <source>Press at the cue; in tapping, press at least twice</source>
         <translation>Drücken Sie beim Zeichen; beim Tippen drücken Sie mindestens zweimal</translation>
-    </message>
-    <message>
-        <source>is about a button that was not felt</source>
-        <translation>betrifft einen Taster, der nicht gefühlt wurde</translation>
     </message>
     <message>
         <source>Press X and the button that it is compared with to the end, then answer</source>
         <translation>Drücken Sie X und den Taster, mit dem X verglichen wird, bis zum Ende, und antworten Sie dann</translation>
     </message>
+    <message>
+        <source>this is not the current trial</source>
+        <translation>dies ist nicht der laufende Durchgang</translation>
+    </message>
+    <message>
+        <source>the answer does not lie on the scale</source>
+        <translation>die Antwort liegt nicht auf der Skala</translation>
+    </message>
+    <message>
+        <source>the answer contains no number</source>
+        <translation>die Antwort enthält keine Zahl</translation>
+    </message>
+    <message>
+        <source>no press fell within the time that counts</source>
+        <translation>kein Tastendruck fiel in die Zeit, die zählt</translation>
+    </message>
+    <message>
+        <source>the answer is about a button that was not felt</source>
+        <translation>die Antwort betrifft einen Taster, der nicht gefühlt wurde</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::Player</name>
     <message>
-        <source>cannot be played without a sound device</source>
-        <translation>kann ohne Audiogerät nicht wiedergegeben werden</translation>
-    </message>
-    <message>
         <source>Start the player with a sound device</source>
         <translation>Starten Sie die Wiedergabe mit einem Audiogerät</translation>
-    </message>
-    <message>
-        <source>contains no readings</source>
-        <translation>enthält keine Messwerte</translation>
     </message>
     <message>
         <source>Give at least one reading</source>
         <translation>Geben Sie mindestens einen Messwert an</translation>
     </message>
     <message>
-        <source>were requested too often at once</source>
-        <translation>wurden zu oft zugleich verlangt</translation>
-    </message>
-    <message>
         <source>Wait until one of the requests has begun</source>
         <translation>Warten Sie, bis eine der Anforderungen begonnen hat</translation>
-    </message>
-    <message>
-        <source>are missing</source>
-        <translation>fehlen</translation>
-    </message>
-    <message>
-        <source>have a rate outside 8000..192000 Hz</source>
-        <translation>haben eine Rate außerhalb 8000 bis 192000 Hz</translation>
     </message>
     <message>
         <source>Choose another rate</source>
         <translation>Wählen Sie eine andere Rate</translation>
     </message>
     <message>
-        <source>exceed full scale</source>
-        <translation>überschreiten die Vollaussteuerung</translation>
-    </message>
-    <message>
         <source>Give samples within -1 and 1</source>
         <translation>Geben Sie Werte zwischen -1 und 1 an</translation>
-    </message>
-    <message>
-        <source>is also the device of the vibration: the masking noise would be felt</source>
-        <translation>ist auch das Gerät der Vibration: Das Maskierrauschen wäre zu fühlen</translation>
     </message>
     <message>
         <source>Leave --noise-device out, or name the device of the headphones</source>
         <translation>Lassen Sie --noise-device weg, oder nennen Sie das Gerät der Kopfhörer</translation>
     </message>
+    <message>
+        <source>nothing can be played without a sound device</source>
+        <translation>ohne Tongerät lässt sich nichts wiedergeben</translation>
+    </message>
+    <message>
+        <source>the press trace contains no readings</source>
+        <translation>der Druckverlauf enthält keine Messwerte</translation>
+    </message>
+    <message>
+        <source>samples were requested too often at once</source>
+        <translation>Abtastwerte wurden zu oft zugleich verlangt</translation>
+    </message>
+    <message>
+        <source>there are no samples</source>
+        <translation>es gibt keine Messwerte</translation>
+    </message>
+    <message>
+        <source>the samples have a rate outside 8000 to 192000 Hz</source>
+        <translation>die Abtastwerte haben eine Rate außerhalb 8000 bis 192000 Hz</translation>
+    </message>
+    <message>
+        <source>the samples exceed full scale</source>
+        <translation>die Abtastwerte überschreiten die Vollaussteuerung</translation>
+    </message>
+    <message>
+        <source>this sound device also plays the vibration, so participants would feel the masking noise</source>
+        <translation>dieses Tongerät spielt auch die Vibration, deshalb würden Versuchspersonen das Maskierrauschen fühlen</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::Reader</name>
     <message>
-        <source>is given twice</source>
-        <translation>ist zweimal angegeben</translation>
+        <source>this entry is given twice</source>
+        <translation>dieser Eintrag kommt zweimal vor</translation>
     </message>
     <message>
-        <source>holds something that is not a number</source>
-        <translation>enthält etwas, das keine Zahl ist</translation>
+        <source>the value holds something that is not a number</source>
+        <translation>der Wert enthält etwas, das keine Zahl ist</translation>
     </message>
     <message>
-        <source>must be newtons, linear or divider</source>
-        <translation>muss newtons, linear oder divider sein</translation>
+        <source>the value must be newtons, linear or divider</source>
+        <translation>der Wert muss newtons, linear oder divider sein</translation>
     </message>
     <message>
-        <source>must be above 0</source>
-        <translation>muss über 0 sein</translation>
+        <source>the value must be above 0</source>
+        <translation>der Wert muss über 0 liegen</translation>
     </message>
     <message>
-        <source>needs 1 to 4 numbers</source>
-        <translation>braucht 1 bis 4 Zahlen</translation>
+        <source>this entry needs 1 to 4 numbers</source>
+        <translation>dieser Eintrag braucht 1 bis 4 Zahlen</translation>
     </message>
     <message>
-        <source>needs at most 4 numbers</source>
-        <translation>braucht höchstens 4 Zahlen</translation>
+        <source>this entry can have at most 4 numbers</source>
+        <translation>dieser Eintrag kann höchstens 4 Zahlen haben</translation>
     </message>
     <message>
-        <source>is not known</source>
-        <translation>ist nicht bekannt</translation>
+        <source>this entry is not known</source>
+        <translation>dieser Eintrag ist nicht bekannt</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::Reader::Action</name>
     <message>
-        <source>needs %1 numbers, has %2</source>
-        <translation>braucht %1 Zahlen, hat %2</translation>
+        <source>this entry needs %1 numbers, but has %2</source>
+        <translation>dieser Eintrag braucht %1 Zahlen, hat aber %2</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::Replay</name>
     <message>
-        <source>was changed by hand, or an earlier line was</source>
-        <translation>wurde von Hand geändert, oder eine frühere Zeile wurde es</translation>
-    </message>
-    <message>
         <source>Restore the journal from a copy; its answers are not used in this state</source>
         <translation>Stellen Sie das Journal aus einer Kopie wieder her; in diesem Zustand werden seine Antworten nicht benutzt</translation>
-    </message>
-    <message>
-        <source>holds an event &quot;%1&quot; that this program does not know</source>
-        <translation>enthält ein Ereignis „%1“, das dieses Programm nicht kennt</translation>
     </message>
     <message>
         <source>Use the program that wrote the journal</source>
@@ -13158,134 +13142,126 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Zeile %1</translation>
     </message>
     <message>
-        <source>is not a journal of a study</source>
-        <translation>ist kein Journal einer Studie</translation>
-    </message>
-    <message>
         <source>Move this file out of the study</source>
         <translation>Nehmen Sie diese Datei aus der Studie</translation>
-    </message>
-    <message>
-        <source>is of version %1</source>
-        <translation>ist von Version %1</translation>
-    </message>
-    <message>
-        <source>is the journal of %1</source>
-        <translation>ist das Journal von %1</translation>
     </message>
     <message>
         <source>Give the file its original name again</source>
         <translation>Geben Sie der Datei wieder ihren ursprünglichen Namen</translation>
     </message>
     <message>
-        <source>belongs to another study, or study.json was changed since</source>
-        <translation>gehört zu einer anderen Studie, oder study.json wurde seither geändert</translation>
-    </message>
-    <message>
         <source>Restore study.json, or move the journal to its own study</source>
         <translation>Stellen Sie study.json wieder her oder legen Sie das Journal zu seiner Studie</translation>
-    </message>
-    <message>
-        <source>names a session that this program does not know: %1, %2</source>
-        <translation>nennt eine Sitzung, die dieses Programm nicht kennt: %1, %2</translation>
-    </message>
-    <message>
-        <source>is an answer outside a session</source>
-        <translation>ist eine Antwort außerhalb einer Sitzung</translation>
     </message>
     <message>
         <source>Restore the journal</source>
         <translation>Stellen Sie das Journal wieder her</translation>
     </message>
     <message>
-        <source>answers trial %1 out of order</source>
-        <translation>beantwortet Durchgang %1 außer der Reihe</translation>
+        <source>this line or an earlier one was changed by hand</source>
+        <translation>diese Zeile oder eine frühere wurde von Hand geändert</translation>
     </message>
     <message>
-        <source>does not fit the list of trials</source>
-        <translation>passt nicht zur Liste der Durchgänge</translation>
+        <source>this line holds an event &quot;%1&quot; that this program does not know</source>
+        <translation>diese Zeile enthält ein Ereignis „%1“, das dieses Programm nicht kennt</translation>
     </message>
     <message>
-        <source>is an answer about a button that was not felt</source>
-        <translation>ist eine Antwort über einen Taster, der nicht gefühlt wurde</translation>
+        <source>the file is not a journal of a study</source>
+        <translation>die Datei ist kein Journal einer Studie</translation>
+    </message>
+    <message>
+        <source>the journal has version %1, which this program cannot read</source>
+        <translation>das Journal hat Version %1, die dieses Programm nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>this is the journal of %1</source>
+        <translation>dies ist das Journal von %1</translation>
+    </message>
+    <message>
+        <source>the journal belongs to another study, or study.json was changed since</source>
+        <translation>das Journal gehört zu einer anderen Studie, oder study.json wurde seither geändert</translation>
+    </message>
+    <message>
+        <source>this line names a session that this program does not know: %1, %2</source>
+        <translation>diese Zeile nennt eine Sitzung, die dieses Programm nicht kennt: %1, %2</translation>
+    </message>
+    <message>
+        <source>this line is an answer outside a session</source>
+        <translation>diese Zeile ist eine Antwort außerhalb einer Sitzung</translation>
+    </message>
+    <message>
+        <source>this line answers trial %1 out of order</source>
+        <translation>diese Zeile beantwortet Durchgang %1 außer der Reihe</translation>
+    </message>
+    <message>
+        <source>this answer does not fit the list of trials</source>
+        <translation>diese Antwort passt nicht zur Liste der Durchgänge</translation>
+    </message>
+    <message>
+        <source>this line is an answer about a button that was not felt</source>
+        <translation>diese Zeile ist eine Antwort über einen Taster, der nicht gefühlt wurde</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::SerialForceDevice</name>
     <message>
-        <source>can produce only %1, less than the playback was prepared for</source>
-        <translation>kann nur %1 erzeugen, weniger, als bei der Vorbereitung angenommen wurde</translation>
-    </message>
-    <message>
         <source>Give --max-N %1</source>
         <translation>Geben Sie --max-N %1 an</translation>
-    </message>
-    <message>
-        <source>does not confirm the limits that it was given: nothing would limit its force if this program failed</source>
-        <translation>bestätigt die Grenzen nicht, die es bekam: Nichts würde seine Kraft begrenzen, wenn dieses Programm ausfiele</translation>
     </message>
     <message>
         <source>Check that the firmware follows docs/reference/force-protocol.md and that the baud rate is the same</source>
         <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md befolgt und die Baudrate dieselbe ist</translation>
     </message>
     <message>
-        <source>gives an answer that is not part of the protocol</source>
-        <translation>gibt eine Antwort, die nicht zum Protokoll gehört</translation>
-    </message>
-    <message>
-        <source>answers &quot;%1&quot;, which is not part of the protocol</source>
-        <translation>antwortet „%1“, was nicht zum Protokoll gehört</translation>
-    </message>
-    <message>
-        <source>uses an older protocol without its own force limit: install samples/firmware/force1d again</source>
-        <translation>verwendet ein älteres Protokoll ohne eigene Kraftgrenze: Spielen Sie samples/firmware/force1d neu auf</translation>
-    </message>
-    <message>
-        <source>does not accept the force table</source>
-        <translation>nimmt die Krafttabelle nicht an</translation>
-    </message>
-    <message>
         <source>Check the firmware and the cable; without the upload, this computer computes the force</source>
         <translation>Prüfen Sie Firmware und Kabel; ohne das Übertragen berechnet dieser Rechner die Kraft</translation>
-    </message>
-    <message>
-        <source>cannot hold a force table</source>
-        <translation>fasst keine Krafttabelle</translation>
-    </message>
-    <message>
-        <source>Do not upload, so that this computer computes the force</source>
-        <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft berechnet</translation>
-    </message>
-    <message>
-        <source>was opened with a limit of %1, but the table has %2 or no limit</source>
-        <translation>wurde mit einer Grenze von %1 geöffnet, die Tabelle hat aber %2 oder keine Grenze</translation>
     </message>
     <message>
         <source>Prepare the button for the limit of the device</source>
         <translation>Bereiten Sie den Taster für die Grenze des Geräts vor</translation>
     </message>
+    <message>
+        <source>the device can produce only %1, less than the playback was prepared for</source>
+        <translation>das Gerät bringt nur %1 auf, weniger als die Wiedergabe voraussetzt</translation>
+    </message>
+    <message>
+        <source>the device does not confirm the limits that it was given, so nothing would limit its force if this program failed</source>
+        <translation>das Gerät bestätigt die übertragenen Grenzen nicht, deshalb würde nichts seine Kraft begrenzen, wenn dieses Programm ausfiele</translation>
+    </message>
+    <message>
+        <source>the device gives an answer that is not part of the protocol</source>
+        <translation>das Gerät gibt eine Antwort, die nicht zum Protokoll gehört</translation>
+    </message>
+    <message>
+        <source>the device answers &quot;%1&quot;, which is not part of the protocol</source>
+        <translation>das Gerät antwortet „%1“, das gehört nicht zum Protokoll</translation>
+    </message>
+    <message>
+        <source>the device uses an older protocol without its own force limit: install samples/firmware/force1d again</source>
+        <translation>das Gerät verwendet ein älteres Protokoll ohne eigene Kraftgrenze: Installieren Sie samples/firmware/force1d neu</translation>
+    </message>
+    <message>
+        <source>the device does not accept the force table</source>
+        <translation>das Gerät nimmt die Krafttabelle nicht an</translation>
+    </message>
+    <message>
+        <source>the device cannot hold a force table</source>
+        <translation>das Gerät fasst keine Krafttabelle</translation>
+    </message>
+    <message>
+        <source>Switch the upload of the force table off, so that this computer computes the force</source>
+        <translation>Schalten Sie die Übertragung der Krafttabelle aus, damit dieser Rechner die Kraft berechnet</translation>
+    </message>
+    <message>
+        <source>the device was opened with a limit of %1, but the table has %2 or no limit</source>
+        <translation>das Gerät wurde mit einer Grenze von %1 geöffnet, die Tabelle hat aber %2 oder keine Grenze</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::SerialLink</name>
     <message>
-        <source>does not know %1 baud</source>
-        <translation>kennt %1 Baud nicht</translation>
-    </message>
-    <message>
-        <source>cannot be opened (%1)</source>
-        <translation>kann nicht geöffnet werden (%1)</translation>
-    </message>
-    <message>
         <source>Check the name, the cable and your permission to use the port (group dialout)</source>
         <translation>Prüfen Sie den Namen, das Kabel und Ihre Berechtigung für den Anschluss (Gruppe dialout)</translation>
-    </message>
-    <message>
-        <source>is in use by another program</source>
-        <translation>wird von einem anderen Programm benutzt</translation>
-    </message>
-    <message>
-        <source>is in use by %1</source>
-        <translation>wird von %1 benutzt</translation>
     </message>
     <message>
         <source>End that program, then try again</source>
@@ -13296,42 +13272,58 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie eine Rate von %1 bis %2 an</translation>
     </message>
     <message>
-        <source>is the name of two devices with the same serial number; the other is %1</source>
-        <translation>ist der Name zweier Geräte mit derselben Seriennummer; das andere ist %1</translation>
-    </message>
-    <message>
         <source>Unplug one of them, or give a name under /dev/serial/by-path</source>
         <translation>Eines davon abstecken oder einen Namen unter /dev/serial/by-path angeben</translation>
-    </message>
-    <message>
-        <source>cannot run at %1 baud</source>
-        <translation>kann nicht mit %1 Baud laufen</translation>
     </message>
     <message>
         <source>Give another --baud, and set it in the firmware too</source>
         <translation>Geben Sie ein anderes --baud an und stellen Sie es auch in der Firmware ein</translation>
     </message>
+    <message>
+        <source>a speed of %1 baud is not supported</source>
+        <translation>eine Geschwindigkeit von %1 Baud wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>two devices have this name, because their serial numbers are the same; the other one is %1</source>
+        <translation>zwei Geräte haben diesen Namen, weil ihre Seriennummern gleich sind; das andere ist %1</translation>
+    </message>
+    <message>
+        <source>another program is using the device</source>
+        <translation>ein anderes Programm benutzt das Gerät</translation>
+    </message>
+    <message>
+        <source>%1 is using the device</source>
+        <translation>%1 benutzt das Gerät</translation>
+    </message>
+    <message>
+        <source>the port cannot run at %1 baud</source>
+        <translation>die Schnittstelle läuft nicht mit %1 Baud</translation>
+    </message>
+    <message>
+        <source>the device cannot be opened (%1)</source>
+        <translation>das Gerät kann nicht geöffnet werden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::SignalSender</name>
     <message>
-        <source>cannot be reached (%1)</source>
-        <translation>ist nicht erreichbar (%1)</translation>
-    </message>
-    <message>
         <source>Check host and port</source>
         <translation>Prüfen Sie Rechner und Anschluss</translation>
+    </message>
+    <message>
+        <source>the receiver cannot be reached (%1)</source>
+        <translation>der Empfänger ist nicht erreichbar (%1)</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::StudyPlayer</name>
     <message>
-        <source>sends no readings</source>
-        <translation>sendet keine Messwerte</translation>
-    </message>
-    <message>
         <source>Check the sensor, its cable and the speed of the port</source>
         <translation>Prüfen Sie den Sensor, sein Kabel und die Geschwindigkeit des Anschlusses</translation>
+    </message>
+    <message>
+        <source>the force sensor sends no readings</source>
+        <translation>der Kraftsensor sendet keine Messwerte</translation>
     </message>
 </context>
 <context>
@@ -13345,12 +13337,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie --bits 16 oder 24 an, oder eine .wav-Datei</translation>
     </message>
     <message>
-        <source>is neither .wav nor .flac</source>
-        <translation>ist weder .wav noch .flac</translation>
-    </message>
-    <message>
         <source>Give a file that ends in .wav or .flac</source>
         <translation>Geben Sie eine Datei an, die auf .wav oder .flac endet</translation>
+    </message>
+    <message>
+        <source>the file name ends in neither .wav nor .flac</source>
+        <translation>der Dateiname endet weder auf .wav noch auf .flac</translation>
     </message>
 </context>
 <context>
@@ -13358,10 +13350,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>line %1</source>
         <translation>Zeile %1</translation>
-    </message>
-    <message>
-        <source>is empty</source>
-        <translation>ist leer</translation>
     </message>
     <message>
         <source>no press is named</source>
@@ -13378,6 +13366,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>A press trace has the header time_s,force_N or time_s,displacement_mm and two numbers per line</source>
         <translation>Ein Betätigungsverlauf hat den Kopf time_s,force_N oder time_s,displacement_mm und zwei Zahlen je Zeile</translation>
+    </message>
+    <message>
+        <source>the text is empty</source>
+        <translation>der Text ist leer</translation>
     </message>
 </context>
 </TS>

@@ -91,7 +91,8 @@ QString energyWords(const playback::ExportLoss& loss) {
                  (kept ? numberText(100 * *kept, 3) + QStringLiteral(" %")
                        : DeviceExportDialog::tr("missing"));
   }
-  return DeviceExportDialog::tr("Energy of the vibration kept: %1").arg(bands.join(QStringLiteral(", ")));
+  return DeviceExportDialog::tr("Share of the vibration's energy that the export keeps: %1")
+      .arg(bands.join(QStringLiteral(", ")));
 }
 
 QString lossWords(const playback::ExportLoss& loss) {
@@ -112,8 +113,8 @@ DeviceExportDialog::DeviceExportDialog(Button button, QWidget* parent)
     : QDialog(parent),
       button_(std::move(button)),
       format_(described(new QComboBox, QStringLiteral("deviceFormat"),
-                        tr("Format or device to export the press for"),
-                        tr("Format or device to export the press for"))),
+                        tr("Format or device for which the press is exported"),
+                        tr("Format or device for which the press is exported"))),
       rate_(numbers("deviceRate", tr("Samples per second"), rates_Hz, QStringLiteral("Hz"), 48000)),
       bits_(numbers("deviceBits", tr("Number of bits per sample"), sampleBits, tr("bits"), 16)),
       wayDown_(described(new QSpinBox, QStringLiteral("deviceWayDown"), tr("Duration of the press stroke"),

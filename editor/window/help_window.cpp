@@ -207,7 +207,8 @@ GlossaryWindow::GlossaryWindow(QWidget* parent) : QDialog(parent) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(new QLabel(tr("Solid: the press. Dashed: the release. Red: what the term means.")));
+  layout->addWidget(
+      new QLabel(tr("Solid: the press. Dashed: the release. Red: the part that the term names.")));
   layout->addWidget(scrolled, 1);
   layout->addWidget(buttons);
   drawPictures();

@@ -319,7 +319,8 @@ void MainWindow::makeFeelPanel() {
     if (DocumentTab* tab = tabs_->tabOf(otherDocument_)) tab->workspace().showFinger(finger);
   });
   connect(&session_->force(), &ForceSession::marginChanged, this, &MainWindow::showMargin);
-  other_ = described(new QComboBox, "feelOther", tr("Second button (B), to press in turn with the one shown"),
+  other_ = described(new QComboBox, "feelOther",
+                     tr("Second button (B), which you can press in turn with the button shown"),
                      tr("Button B, for comparison"));
   connect(other_, &QComboBox::activated, this, &MainWindow::chooseOther);
   auto* label = new QLabel(tr("Compare &with:"));

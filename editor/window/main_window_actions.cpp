@@ -117,8 +117,9 @@ void MainWindow::makeFileActions() {
                 tr("Write press and release at even steps of travel, or at the travels you type"),
                 QKeySequence("Ctrl+Alt+R"), [this](DocumentTab& tab) { files_->exports().csvAt(tab); }));
   exports->addAction(tabAction(
-      "exportDataPackage", tr("Data pac&kage (Frictionless)…"),
-      tr("Write a folder of tables (curve and key figures), with a description of every column and its unit"),
+      "exportDataPackage", tr("Data pac&kage (described tables)…"),
+      tr("Write a folder of tables (curve and key figures), with a description of every column and its unit, "
+         "as the standard Frictionless Data Package requires"),
       QKeySequence("Ctrl+Alt+F"), [this](DocumentTab& tab) { files_->exports().dataPackage(tab); }));
   exports->addAction(tabAction(
       "exportTracedProject", tr("WebPlotDigitizer p&roject…"),
@@ -286,7 +287,7 @@ void MainWindow::makeWindowActions() {
                             tr("Create a button that lies between two open buttons"),
                             QKeySequence("Ctrl+Alt+B"), [this](DocumentTab& tab) { morph(tab); }));
   menu->addAction(tabAction("average", tr("&Average open buttons…"),
-                            tr("Create the mean of several units of one button, and show their spread"),
+                            tr("Create the mean of several specimens of one button, and show their spread"),
                             QKeySequence("Ctrl+Alt+A"), [this](DocumentTab& tab) { average(tab); }));
   menu->addAction(action("forecasts", tr("Predicted &confusion…"),
                          tr("Predict for all open buttons which of them people will confuse"),

@@ -51,12 +51,12 @@ Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind 
   // No unit makes such a scale even.
   const Message evenAxes("Import a graph of the same button with evenly divided axes");
   if (quantity == logarithmicScale)
-    return {DoubtCode::otherQuantity, {axis, Message("is logarithmic")}, evenAxes};
+    return {DoubtCode::otherQuantity, {axis, Message("it is logarithmic")}, evenAxes};
   if (quantity == categoriesScale)
-    return {DoubtCode::otherQuantity, {axis, Message("has categories instead of a scale")}, evenAxes};
+    return {DoubtCode::otherQuantity, {axis, Message("it has categories instead of a scale")}, evenAxes};
   const bool isTravel = unit == RemedyKind::giveXUnit;
   return {DoubtCode::otherQuantity,
-          {axis, Message("measures \"%1\"", quantity)},
+          {axis, Message("it measures \"%1\"", quantity)},
           {{unit, isTravel ? "if it is a travel all the same" : "if it is a force all the same"}}};
 }
 

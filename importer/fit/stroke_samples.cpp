@@ -253,8 +253,9 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Strok
   const double spanU = travel / samples.mmPerU, spanV = forceSpan / samples.newtonsPerV;
   const double advance = samples.points.back().u - samples.points.front().u;
   if (!(advance > 0) || greatestSetback(samples.points) > std::max(0.25 * spanU, 8.0))
-    return unreadable(stroke, "", Message("the displacement of the points goes forth and back"),
-                      Message("Split press and release before fitting, each in the order travelled"));
+    return unreadable(
+        stroke, "", Message("the displacement of the points goes forth and back"),
+        Message("Separate press and release, and put the points of each into the order of the movement"));
   const std::size_t maxCount = static_cast<std::size_t>(options.maxPoints);
   samples.points = withoutRepeats(samples.points);
   samples.points = blockMeans(samples.points, 8 * maxCount, noiseShare);

@@ -72,7 +72,7 @@ RefusedFile refusalOf(const std::string& file, const Failure& why) {
 }
 
 Failure unreadableFolder(const fs::path& folder, const std::string& why) {
-  return {FailureCode::unreadableInput, folder.string(), "", Message("it cannot be read: %1", why),
+  return {FailureCode::unreadableInput, folder.string(), "", Message("the folder cannot be read: %1", why),
           "Pass a folder of measurements"};
 }
 

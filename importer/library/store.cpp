@@ -197,7 +197,7 @@ Failure failureOf(const DatabaseFault& fault, const std::string& path) {
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:
-      return {FailureCode::wrongUsage, path, "", Message("it cannot be opened: %1", fault.words),
+      return {FailureCode::wrongUsage, path, "", Message("the library cannot be opened: %1", fault.words),
               "Pass a --db in a folder that exists and may be written to"};
     default:
       return {FailureCode::unreadableInput, path, "", Message("the library is not complete: %1", fault.words),
@@ -281,7 +281,7 @@ std::optional<Failure> notForALibrary(const std::string& path) {
   std::error_code error;
   const char* const advice = "Pass another --db";
   if (fs::is_directory(path, error))
-    return Failure{FailureCode::wrongUsage, path, "", "it is a folder", advice};
+    return Failure{FailureCode::wrongUsage, path, "", "this is a folder, not a file", advice};
   if (isForceLogPath(path))
     return Failure{FailureCode::wrongUsage, path, "", "its name is a measurement's, not a library's", advice};
   const FileKind kind = fileKindOf(path);

@@ -72,7 +72,7 @@ Result<Button> buttonWithin(const Button& button, const std::vector<FigureRange>
       const auto& value = figures[range.figure];
       if (!value)
         return Failure{FailureCode::notCertain, button.name(), "",
-                       Message("there is no %1", nameOf(range.figure).key),
+                       Message("this button has no %1", nameOf(range.figure).key),
                        "Ask for figures it has, or for a switch that has them (--like)"};
       if (keeps(range, *value) || std::ranges::any_of(targets, [&](const FigureTarget& target) {
             return target.figure == range.figure;

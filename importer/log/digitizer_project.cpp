@@ -230,9 +230,10 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
   const int major =
       version && !version->empty() && (*version)[0].is_number_integer() ? (*version)[0].get<int>() : 0;
   if (major != 3 && major != 4)
-    return unreadableFile(
-        subject, Message("it is a WebPlotDigitizer project of an unknown version; only 3 and 4 can be read"),
-        Message("Export the data sets as CSV"));
+    return unreadableFile(subject,
+                          Message("the file is a WebPlotDigitizer project of an unknown version; only the "
+                                  "versions 3 and 4 can be read"),
+                          Message("Export the data sets as CSV"));
   const std::vector<TracedSet> sets = setsOf(document);
   if (sets.empty())
     return noForceLog(subject, Message("no data set on xy axes has two points or more"),
@@ -241,7 +242,8 @@ Result<std::vector<RecordedSwitch>> switchesOfProject(const Json& document, cons
     if (holdsSortedLoop(set.points))
       return Failure{FailureCode::notCertain, subject, Message("data set \"%1\"", set.name),
                      Message("the points jump between two curves"),
-                     Message("Use one data set for the press and one for the release, and name them so")};
+                     Message("Use one data set for the press and one for the release, and name them "
+                             "\"press\" and \"release\"")};
   if (sets.size() == 2 && sets[0].axes == sets[1].axes && std::ranges::all_of(sets, saysNoStroke))
     return pairOfUnnamed(sets);
   std::vector<RecordedSwitch> switches = byName(sets);

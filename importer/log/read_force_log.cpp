@@ -167,7 +167,7 @@ class LogReader {
     if (!std::filesystem::exists(path, error))
       return unreadable(Message("the file does not exist"), Message("Check the path and its permissions"));
     if (std::filesystem::is_directory(path, error))
-      return unreadable(Message("it is a folder"), Message("Give a file"));
+      return unreadable(Message("this is a folder, not a file"), Message("Give a file"));
     std::ifstream file(path, std::ios::binary);
     std::string bytes;
     constexpr std::size_t piece_bytes = std::size_t{1} << 20;
@@ -483,7 +483,7 @@ class LogReader {
     if (saysNothing(read.best.front(), data)) return lacking(TableLack::columns, data, subject);
     if (auto unknown = unknownName(read.best.front(), data))
       return refuse(FailureCode::notCertain, std::move(*unknown),
-                    Message("If it is, pass %1", reading_.question->choices.front().option));
+                    Message("If it is, confirm it with %1", reading_.question->choices.front().option));
     found.best = std::move(read.best);
     found.records = found.best.front().records;
     found.xUnit = found.best.front().xUnit, found.yUnit = found.best.front().yUnit;
@@ -510,17 +510,17 @@ class LogReader {
     const std::string xOption = "--displacement-column " + std::to_string(x.index + 1),
                       fOption = "--force-column " + std::to_string(f.index + 1);
     const auto question = [&](const std::string& text, const std::string& option) {
-      reading_.question = Question{"what the columns measure", {{text, option}}};
+      reading_.question = Question{"what do the columns measure", {{text, option}}};
     };
     if (askX && askF) {
       question(x.label() + " is the displacement, " + f.label() + " the force", xOption + " " + fOption);
-      return Message("it is not known whether column %1 is displacement and column %2 is force", x.label(),
+      return Message("it is not known whether column %1 holds displacements and column %2 forces", x.label(),
                      f.label());
     }
     const DataColumn& doubtful = askX ? x : f;
     question(doubtful.label() + (askX ? " is the displacement" : " is the force"), askX ? xOption : fOption);
-    return askX ? Message("it is not known whether column %1 is displacement", doubtful.label())
-                : Message("it is not known whether column %1 is force", doubtful.label());
+    return askX ? Message("it is not known whether column %1 holds displacements", doubtful.label())
+                : Message("it is not known whether column %1 holds forces", doubtful.label());
   }
 
   /// Applies units given by hand to columns whose title and unit contradict each other.
@@ -531,7 +531,7 @@ class LogReader {
         if (each.isText || each.quantity != quantity || each.unit.kind == kind || !each.unit.isKnown())
           continue;
         remark(
-            Message("column %1 was taken in %2, the unit given by hand", each.label(), std::string(symbol)));
+            Message("column %1 was read in %2, the unit that you gave", each.label(), std::string(symbol)));
         giveUnit(each, {kind, size, std::string(symbol)});
       }
     };
@@ -557,14 +557,15 @@ class LogReader {
     const Message nameThem("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
     switch (lack) {
       case TableLack::displacement:
-        return noForceLog(subject, Message("no column is displacement; the columns are %1", titles),
+        return noForceLog(subject, Message("no column holds displacements; the columns are %1", titles),
                           nameThem);
       case TableLack::force:
-        return noForceLog(subject, Message("no column is force; the columns are %1", titles), nameThem);
+        return noForceLog(subject, Message("no column holds forces; the columns are %1", titles), nameThem);
       case TableLack::columns:
-        return noForceLog(subject,
-                          Message("no column is displacement and none is force; the columns are %1", titles),
-                          nameThem);
+        return noForceLog(
+            subject,
+            Message("no column holds displacements, and none holds forces; the columns are %1", titles),
+            nameThem);
       case TableLack::movement:
         return noForceLog(
             subject, Message("the displacement changes no more than its noise; the columns are %1", titles),
@@ -572,9 +573,9 @@ class LogReader {
       case TableLack::sortedLoop:
         return noForceLog(
             subject, Message("press and release are mixed, sorted by displacement, and cannot be separated"),
-            Message("Export the points in the order travelled, or each stroke as a column of its own"));
+            Message("Export the points in the order of the movement, or each stroke in its own column"));
       default:
-        return noForceLog(subject, Message("there is a release stroke but no press"),
+        return noForceLog(subject, Message("the file holds a release, but no press"),
                           {{RemedyKind::swapStrokes, "if this is one"},
                            {RemedyKind::advice, Message("If it is a release, record the press too")}});
     }
@@ -615,7 +616,7 @@ class LogReader {
         return records.front();
       }
     }
-    Question question{"which of the records", {}};
+    Question question{"which recording should be read", {}};
     for (std::size_t i = 0; i < records.size(); ++i)
       question.choices.push_back({records[i].name.empty() ? std::to_string(i + 1) : records[i].name,
                                   "--record " + std::to_string(i + 1)});
@@ -623,7 +624,7 @@ class LogReader {
     if (wanted.empty()) reading_.question = std::move(question);
     return failure(wanted.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
                    Message("there are %1 recordings: %2", records.size(), namesOf(records)),
-                   Message("Pass --record NAME|N for one of them, or --record mean"));
+                   Message("Choose one of them with --record NAME|N, or their mean with --record mean"));
   }
 
   Result<LogRecord> taken(const std::vector<LogRecord>& records, std::size_t i) {
@@ -738,9 +739,10 @@ class LogReader {
       cutBefore(press, before->contact_mm, true);
       cutBefore(release, before->contact_mm, false);
       shift_mm = before->contact_mm;
-      remark(Message(
-          "the first %1, through air before contact, was cut off; the point of contact is certain to %2",
-          millimetres(air_mm), millimetres(before->uncertainty_mm)));
+      remark(
+          Message("the first %1 of the movement, before the contact, was cut off; the contact point is known "
+                  "to within %2",
+                  millimetres(air_mm), millimetres(before->uncertainty_mm)));
     }
     if (shift_mm == 0) {
       // The stage's position is not travel, so a press that starts without force starts at zero.
@@ -966,14 +968,14 @@ class LogReader {
     };
     constexpr const char *toX = "--displacement-column ", *toF = "--force-column ";
     if (p.force != q.force && p.displacement != q.displacement)
-      return question("which columns are displacement and force", [&](int k) {
+      return question("which columns hold displacement and force", [&](int k) {
         const ColumnGroup& g = k == 0 ? p : q;
         return Choice{data.columns[g.displacement].label() + ", " + data.columns[g.force].label(),
                       option(toX, g.displacement) + " " + option(toF, g.force)};
       });
-    if (p.force != q.force) return columns("which column is the force", toF, p.force, q.force);
+    if (p.force != q.force) return columns("which column holds the force", toF, p.force, q.force);
     if (p.displacement != q.displacement)
-      return columns("which column is the displacement", toX, p.displacement, q.displacement);
+      return columns("which column holds the displacement", toX, p.displacement, q.displacement);
     const auto units = [&](const char* what, const std::string& name, AssumedUnit LogInterpretation::*unit) {
       return question(what, [&](int k) {
         const std::string& symbol = ((k == 0 ? a : b).*unit).symbol;
@@ -981,15 +983,15 @@ class LogReader {
       });
     };
     if (a.yUnit.symbol != b.yUnit.symbol)
-      return units("the unit of force", "--y-unit ", &LogInterpretation::yUnit);
+      return units("what is the unit of force", "--y-unit ", &LogInterpretation::yUnit);
     if (a.xUnit.symbol != b.xUnit.symbol)
-      return units("the unit of displacement", "--x-unit ", &LogInterpretation::xUnit);
+      return units("what is the unit of displacement", "--x-unit ", &LogInterpretation::xUnit);
     const LogInterpretation& beside = a.groups.size() > b.groups.size() || a.groups.front().stroke ? a : b;
     if (beside.groups.size() < 2) return {};
-    return Question{"whether a second column of force is the release",
+    return Question{"does the second column of forces hold the release",
                     {{"it is the release",
                       option(toF, p.force) + " " + option("--release-force-column ", beside.groups[1].force)},
-                     {"it is another record", option(toF, p.force)}}};
+                     {"it is another recording", option(toF, p.force)}}};
   }
 
   const std::string& path_;

@@ -301,8 +301,9 @@ Result<std::vector<RecordedSwitch>> switchesOfArchive(const std::string& bytes, 
   const nlohmann::json json = nlohmann::json::parse(*project, nullptr, false);
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
   return unreadableFile(subject,
-                        json.is_discarded() ? Message("the wpd.json in it is not JSON")
-                                            : Message("the wpd.json in it is not a WebPlotDigitizer project"),
+                        json.is_discarded()
+                            ? Message("the file wpd.json in the archive is not JSON")
+                            : Message("the file wpd.json in the archive is not a WebPlotDigitizer project"),
                         Message("Save the project once more in WebPlotDigitizer"));
 }
 

@@ -11,8 +11,8 @@ namespace {
 Failure absent(const SourceFile& file, const std::string& kind) {
   return unreadable(file.name, "",
                     Message("this build of Detent cannot read %1 files (it was built without MuPDF)", kind),
-                    Message("Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 "
-                            "dpi and import that"));
+                    Message("Export the page as a PNG of at least 300 dpi and import that, or install a "
+                            "build of Detent with MuPDF"));
 }
 
 }  // namespace

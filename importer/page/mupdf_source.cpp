@@ -137,11 +137,12 @@ std::optional<Failure> MupdfSource::open() {
                       Message("Save a copy without the password and import that"));
   if (pageCount_ <= 0) return damaged("", "it has no pages");
   if (pageCount_ > file_.limits.maxPages)
-    return unreadable(
-        file_.name, "",
-        Message("the document claims %1 pages, more than the limit of %2", std::to_string(pageCount_),
-                std::to_string(file_.limits.maxPages)),
-        {{RemedyKind::advice, Message("Split out the pages with the graphs")}, {RemedyKind::raiseLimit, {}}});
+    return unreadable(file_.name, "",
+                      Message("the document has %1 pages, more than the limit of %2",
+                              std::to_string(pageCount_), std::to_string(file_.limits.maxPages)),
+                      {{RemedyKind::advice,
+                        Message("Save the pages with the graphs as a document of their own and import that")},
+                       {RemedyKind::raiseLimit, {}}});
   return std::nullopt;
 }
 

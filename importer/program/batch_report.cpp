@@ -65,7 +65,7 @@ std::size_t countLines(const std::string& text) {
 }
 
 Failure unwritable(const std::string& path) {
-  return {FailureCode::wrongUsage, path, "", "cannot be written",
+  return {FailureCode::wrongUsage, path, "", "the file or folder cannot be written",
           "Pass an --out-dir that can be made or written to"};
 }
 

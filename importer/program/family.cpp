@@ -110,7 +110,8 @@ Result<Family> importFamily(const std::vector<std::string>& inputs, const Import
     auto session = ImportSession::open(input, request.limits);
     if (!session) return session.failure();
     if (!session->isForceLog())
-      return Failure{FailureCode::wrongUsage, input, "", "is no record of a press, and tells no speed",
+      return Failure{FailureCode::wrongUsage, input, "",
+                     "the file is not a record of a press and states no speed",
                      "Import it alone and state the speeds: detent-graph family A B --speeds V,W -o OUT"};
     ImportRequest one = request;
     one.path = input;

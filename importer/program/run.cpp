@@ -409,7 +409,7 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
     return importAll(request, paths, {}, reported);
   } catch (const std::bad_alloc&) {
     const Failure tooLarge{
-        FailureCode::unreadableInput, input, "", "needs more memory than the limit",
+        FailureCode::unreadableInput, input, "", "the file needs more memory than the limit",
         "Pass a larger --memory-limit, or a smaller --max-megapixels to refuse such inputs early"};
     reported.objects = {failureJson(tooLarge, input)};
     return tooLarge.exitCode();

@@ -82,7 +82,7 @@ std::optional<Failure> ofOtherQuantities(const LocatedGraph& graph) {
 Failure ofTwoScales(const Failure& noPair, const LocatedGraph& graph) {
   if (noPair.reason != nameOf(DoubtCode::tooManyCurves) || graph.axes.rightScale != RightScale::otherForces)
     return noPair;
-  return failureOf({DoubtCode::otherScale, {Message("also measures forces")}, graphWithOneScale()},
+  return failureOf({DoubtCode::otherScale, {Message("it also measures forces")}, graphWithOneScale()},
                    noPair.subject, noPair.place);
 }
 

@@ -57,7 +57,8 @@ Result<const Page*> ImportSession::page(int number, const Progress& progress) {
 
 Result<std::vector<ListedRecord>> ImportSession::records(const ImportHints& hints, const Progress& progress) {
   if (!isForceLog())
-    return impl_->wrongUsage(Message("a page has no recordings"), Message("List the graphs of the page"));
+    return impl_->wrongUsage(Message("a page has no recordings to choose from"),
+                             Message("List the graphs of the page"));
   return recordsOfLog(impl_->path, hints, progress);
 }
 
@@ -71,7 +72,7 @@ Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, 
 
 Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph, Quality quality,
                                                         const ImportHints& hints, const Progress& progress) {
-  if (isForceLog()) return impl_->wrongUsage(Message("a force log shows no switches"), {});
+  if (isForceLog()) return impl_->wrongUsage(Message("a force log has no switches to choose from"), {});
   ImportRequest request;
   request.page = graph.page, request.graph = graph.graph;
   request.quality = quality;

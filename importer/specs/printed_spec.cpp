@@ -336,9 +336,9 @@ Message messageOf(const SpecCheck& check) {
   const Measure measure = spec.isForce() ? Measure::force_N : Measure::displacement_mm;
   const Message quantity = nameOf(spec.quantity);
   const MessageValue read(check.read, measure), printed(spec.nominal, measure);
-  return check.agrees ? Message("agrees with the page: %1 %2 read, %3 printed (page %4: \"%5\")", quantity,
+  return check.agrees ? Message("%1 agrees with the page: %2 read, %3 printed (page %4: \"%5\")", quantity,
                                 read, printed, spec.page, spec.text)
-                      : Message("differs from the page: %1 %2 read, %3 printed (page %4: \"%5\")", quantity,
+                      : Message("%1 differs from the page: %2 read, %3 printed (page %4: \"%5\")", quantity,
                                 read, printed, spec.page, spec.text);
 }
 

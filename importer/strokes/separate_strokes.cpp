@@ -588,7 +588,7 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     return Failure{FailureCode::noForceGraph,
                    "plot frame",
                    "",
-                   Message("holds no curve"),
+                   Message("there is no curve in the plot frame"),
                    {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
                     {RemedyKind::pickPress, "with the curve's colour"}}};
   const std::vector<PlotSwitch> switches = switchesAmong(traces);

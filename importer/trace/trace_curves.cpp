@@ -491,12 +491,13 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotScene& scene, const PageVi
       findColours(scene, either(scene.lettering().mask, scene.area().masked));
   addLetterColour(palette, scene);
   const GivenColours given = addGivenColours(palette, hints, scene);
-  if (palette.empty()) return noCurve(Message("is empty: it shows only paper and gridlines"));
+  if (palette.empty()) return noCurve(Message("the plot frame is empty: it shows only paper and gridlines"));
   if (progress.isCancelled()) return Failure::cancelled();
 
   const PlotColours plot(scene, std::move(palette));
   std::vector<CurveColour> curves = findCurves(plot, given);
-  if (given.any() && curves.empty()) return noCurve(Message("shows no line in the colours given"));
+  if (given.any() && curves.empty())
+    return noCurve(Message("no line in the plot frame has one of the given colours"));
   const std::optional<ShadedCurves> shaded =
       !given.any() && curves.size() < 2 ? curvesByShade(plot, curves) : std::nullopt;
   if (shaded) curves = shaded->curves;
@@ -585,7 +586,8 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
                                             const AxesFound& axes, const TraceHints& hints,
                                             const TraceOptions& options, const Progress& progress) {
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
-    return Failure{FailureCode::wrongUsage, "point spacing", "", Message("must be above 0 and at most 16 px"),
+    return Failure{FailureCode::wrongUsage, "point spacing", "",
+                   Message("the point spacing must be above 0 and at most 16 px"),
                    Message("Leave the value at 1")};
   std::vector<CurveTrace> exact = traceVector(view, scene.plotFrame(), axes, hints);
   if (!exact.empty()) {
@@ -593,7 +595,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotScen
     labelDrawn(exact, axes, view, scene);
     return exact;
   }
-  if (scene.empty()) return noCurve(Message("lies outside the picture or has no area"));
+  if (scene.empty()) return noCurve(Message("the plot frame lies outside the picture or has no area"));
   auto traces = traceRaster(scene, view, axes, hints, options, progress);
   if (!traces) return traces;
   for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, scene.plotFrame());

@@ -41,7 +41,7 @@ class Reader {
 
   void requireObject(const json& value, const std::string& place) const {
     if (!value.is_object())
-      refuse(place, "is " + kindOf(value) + ", not an object", "See docs/reference/file-format.md");
+      refuse(place, "the value is " + kindOf(value) + ", not an object", "See docs/reference/file-format.md");
   }
 
   void refuseUnknownKeys(const json& object, const std::string& place,
@@ -49,7 +49,7 @@ class Reader {
     for (const auto& [key, value] : object.items()) {
       if (key.rfind("x-", 0) == 0) continue;
       if (std::find(known.begin(), known.end(), key) == known.end())
-        refuse(join(place, key.substr(0, 60)), Message("is not a field of this format"),
+        refuse(join(place, key.substr(0, 60)), Message("this field does not belong to the format"),
                "Remove it, correct its spelling, or begin its name with \"x-\"");
     }
   }
@@ -57,13 +57,14 @@ class Reader {
   const json& required(const json& object, const std::string& place, const char* key) const {
     const auto found = object.find(key);
     if (found == object.end())
-      refuse(join(place, key), Message("is missing"),
+      refuse(join(place, key), Message("the field is missing"),
              Message("Add the field; see docs/reference/file-format.md"));
     return *found;
   }
 
   double number(const json& value, const std::string& place) const {
-    if (!value.is_number()) refuse(place, "is " + kindOf(value) + ", not a number", "Write a plain number");
+    if (!value.is_number())
+      refuse(place, "the value is " + kindOf(value) + ", not a number", "Write a plain number");
     return value.get<double>();
   }
 
@@ -84,13 +85,14 @@ class Reader {
     if (!object.contains(key)) return otherwise;
     const double value = number(object, place, key);
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
-      refuse(join(place, key), "is " + jsonText(object.at(key)) + ", not a whole number of ordinary size",
+      refuse(join(place, key),
+             "the value is " + jsonText(object.at(key)) + ", not a whole number of ordinary size",
              "Write a whole number");
     return static_cast<int>(value);
   }
 
   std::string text(const json& value, const std::string& place) const {
-    if (!value.is_string()) refuse(place, "is " + kindOf(value) + ", not text", "Put it in quotes");
+    if (!value.is_string()) refuse(place, "the value is " + kindOf(value) + ", not text", "Put it in quotes");
     return value.get<std::string>();
   }
 
@@ -101,7 +103,7 @@ class Reader {
 
   const json& array(const json& value, const std::string& place) const {
     if (!value.is_array())
-      refuse(place, "is " + kindOf(value) + ", not a list", "See docs/reference/file-format.md");
+      refuse(place, "the value is " + kindOf(value) + ", not a list", "See docs/reference/file-format.md");
     return value;
   }
 
@@ -163,7 +165,7 @@ class StrictHandler : public nlohmann::detail::json_sax_dom_parser<json> {
     std::vector<std::string>& keys = keys_.back();
     std::sort(keys.begin(), keys.end());
     if (const auto twice = std::adjacent_find(keys.begin(), keys.end()); twice != keys.end())
-      reader_.refuse("key \"" + twice->substr(0, 60) + "\"", "is given twice in one object",
+      reader_.refuse("key \"" + twice->substr(0, 60) + "\"", "the key is given twice in one object",
                      "Keep one of the two");
     keys_.pop_back();
     --depth_;
@@ -181,7 +183,7 @@ class StrictHandler : public nlohmann::detail::json_sax_dom_parser<json> {
  private:
   void enter() {
     if (++depth_ > maxDepth)
-      reader_.refuse("", "is nested deeper than " + std::to_string(maxDepth) + " levels",
+      reader_.refuse("", "the file is nested deeper than " + std::to_string(maxDepth) + " levels",
                      "Give a button file");
   }
 
@@ -197,7 +199,8 @@ json parsedJson(std::string_view text, const Reader& reader) {
     json::sax_parse(text.begin(), text.end(), &handler);
     return document;
   } catch (const json::parse_error& error) {
-    reader.refuse(placeOfByte(text, error.byte), Message("is not valid JSON: %1", plainReason(error.what())),
+    reader.refuse(placeOfByte(text, error.byte),
+                  Message("the file is not valid JSON: %1", plainReason(error.what())),
                   Message("Correct the file at this place, or export the button again"));
   } catch (const json::out_of_range& error) {
     reader.refuse("", "holds a number that is too large: " + plainReason(error.what()), "Correct the number");
@@ -284,7 +287,8 @@ std::optional<AxisProvenance> axisFrom(const Reader& in, const json& object, con
   axis.residual_px = in.numberOr(value, place, "residual_px", 0);
   const std::string by = in.textOr(value, place, "by", "found");
   if (by != "found" && by != "given")
-    in.refuse(Reader::join(place, "by"), "is \"" + by.substr(0, 40) + "\"", "Write \"found\" or \"given\"");
+    in.refuse(Reader::join(place, "by"), "the value is \"" + by.substr(0, 40) + "\"",
+              "Write \"found\" or \"given\"");
   axis.by = by == "found" ? DecidedBy::found : DecidedBy::given;
   return axis;
 }
@@ -293,7 +297,7 @@ std::vector<RecordedWarning> warningsFrom(const Reader& in, const json& value, c
   const auto texts = in.texts(value, place, "warnings"), codes = in.texts(value, place, "warningCodes");
   if (!codes.empty() && codes.size() != texts.size())
     in.refuse(Reader::join(place, "warningCodes"),
-              Message("has %1 codes for %2 warnings", codes.size(), texts.size()),
+              Message("the list has %1 codes for %2 warnings", codes.size(), texts.size()),
               "Give one code for each warning, or none at all");
   std::vector<RecordedWarning> warnings;
   for (std::size_t i = 0; i < texts.size(); ++i)
@@ -336,14 +340,16 @@ std::optional<PageCutout> cutoutFrom(const Reader& in, const json& document) {
   const auto png = bytesFromBase64(in.text(in.required(value, "cutout", "png"), "cutout.png"));
   const Message without = "Remove the cut-out: the button does not need it";
   if (!png || !png->starts_with("\x89PNG\r\n\x1a\n"))
-    in.refuse("cutout.png", "is no PNG picture written in base64", without);
+    in.refuse("cutout.png", "the field is not a PNG picture written in base64", without);
   if (png->size() > largestCutout_bytes)
-    in.refuse("cutout.png", Message("has %1 bytes; the limit is %2", png->size(), largestCutout_bytes),
+    in.refuse("cutout.png",
+              Message("the picture has %1 bytes; the limit is %2", png->size(), largestCutout_bytes),
               without);
   PageCutout cutout{*png, {}};
   const json& numbers = in.array(in.required(value, "cutout", "pixelToAxes"), "cutout.pixelToAxes");
   if (numbers.size() != cutout.pixelToAxes.size())
-    in.refuse("cutout.pixelToAxes", Message("has %1 numbers, not nine", numbers.size()), without);
+    in.refuse("cutout.pixelToAxes", Message("the list has %1 numbers, but it needs nine", numbers.size()),
+              without);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     cutout.pixelToAxes[i] = in.number(numbers[i], Reader::at("cutout.pixelToAxes", i));
   return cutout;
@@ -374,7 +380,7 @@ void forEachObject(const Reader& in, const json& object, const std::string& plac
 std::string filledText(const Reader& in, const json& object, const std::string& place, const char* key) {
   std::string text = in.text(in.required(object, place, key), Reader::join(place, key));
   if (text.empty())
-    in.refuse(Reader::join(place, key), Message("is empty"), "Write a few words, or remove it");
+    in.refuse(Reader::join(place, key), Message("the text is empty"), "Write a few words, or remove it");
   return text;
 }
 
@@ -382,11 +388,11 @@ std::string filledText(const Reader& in, const json& object, const std::string& 
 template <class At>
 void takePlace(const Reader& in, const json& value, const std::string& place, At& at) {
   const int state = in.wholeNumber(value, place, "state", 0);
-  if (state < 0) in.refuse(Reader::join(place, "state"), "is negative", "States count from 0");
+  if (state < 0) in.refuse(Reader::join(place, "state"), "the value is negative", "States count from 0");
   at.state = static_cast<std::size_t>(state);
   const std::string stroke = in.textOr(value, place, "stroke", "press");
   if (stroke != "press" && stroke != "release")
-    in.refuse(Reader::join(place, "stroke"), "is \"" + stroke.substr(0, 40) + "\"",
+    in.refuse(Reader::join(place, "stroke"), "the value is \"" + stroke.substr(0, 40) + "\"",
               "Write \"press\" or \"release\"");
   at.stroke = stroke == "press" ? Stroke::press : Stroke::release;
   at.displacement_mm = in.number(value, place, "displacement_mm");
@@ -400,12 +406,13 @@ EditLinks linksFrom(const Reader& in, const json& document) {
   in.refuseUnknownKeys(value, "links", {"oneTravelEnd", "releaseBelowPress_N", "pinned"});
   if (value.contains("oneTravelEnd")) {
     if (!value.at("oneTravelEnd").is_boolean())
-      in.refuse("links.oneTravelEnd", "is not true or false", "Write true or false");
+      in.refuse("links.oneTravelEnd", "the value is neither true nor false", "Write true or false");
     links.oneTravelEnd = value.at("oneTravelEnd").get<bool>();
   }
   links.releaseBelowPress_N = in.optionalNumber(value, "links", "releaseBelowPress_N");
   if (links.releaseBelowPress_N && *links.releaseBelowPress_N < 0)
-    in.refuse("links.releaseBelowPress_N", "is negative", "Write how far the release lies below the press");
+    in.refuse("links.releaseBelowPress_N", "the value is negative",
+              "Write how far the release lies below the press");
   forEachObject(in, value, "links", "pinned", [&](const json& pin, const std::string& place) {
     in.refuseUnknownKeys(pin, place, {"state", "stroke", "displacement_mm"});
     takePlace(in, pin, place, links.pinned.emplace_back());
@@ -425,7 +432,7 @@ Annotations annotationsFrom(const Reader& in, const json& document) {
     std::string name = filledText(in, version, place, "name");
     for (const NamedVersion& other : out.versions)
       if (other.name == name)
-        in.refuse(Reader::join(place, "name"), "is the name of another version", "Give each its own name");
+        in.refuse(Reader::join(place, "name"), "another version has this name", "Give each its own name");
     Button button = in.accepted(Button::fromStates("", statesFrom(in, version, place)), place);
     out.versions.push_back({std::move(name), in.textOr(version, place, "saved", ""), button.states()});
   });
@@ -438,7 +445,7 @@ ButtonFile fileFrom(const Reader& in, std::string_view text, const std::string& 
   in.requireObject(document, "");
   const json& format = in.required(document, "", "format");
   if (format != "detent-button")
-    in.refuse("format", Message("is not \"detent-button\""),
+    in.refuse("format", Message("the format is not \"detent-button\""),
               Message("Give a *.button.json written by Detent"));
   document = in.accepted(migrated(std::move(document), buttonMigrations(), subject), "");
   in.refuseUnknownKeys(
@@ -604,7 +611,8 @@ Result<ButtonFile> buttonFileFromJson(std::string_view text, const std::string& 
   } catch (const Refusal& refusal) {
     return refusal.failure;
   } catch (const json::exception& error) {
-    return Failure{FailureCode::unreadableInput, subject, "", "cannot be read: " + plainReason(error.what()),
+    return Failure{FailureCode::unreadableInput, subject, "",
+                   "the file cannot be read: " + plainReason(error.what()),
                    "Give a *.button.json written by Detent"};
   }
 }

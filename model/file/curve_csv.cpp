@@ -44,7 +44,7 @@ std::optional<Failure> appendRow(GraphPolylines& lines, const NumberTable& row, 
                    std::move(remedies)};
   };
   if (row.fields().size() != 3)
-    return refuse("does not have 3 fields: " + quotedBegin(row.line()),
+    return refuse("the line does not have 3 fields: " + quotedBegin(row.line()),
                   "Write stroke,displacement_mm,force_N");
   const std::string_view stroke = row.fields()[0];
   if (stroke != "press" && stroke != "release")
@@ -102,14 +102,15 @@ std::string csvFrom(const ForceGraph& graph) {
 Result<GraphPolylines> polylinesFromCsv(std::string_view text, const std::string& subject) {
   NumberTable table(text);
   if (!table.next() || !table.is({"stroke", "displacement_mm", "force_N"}))
-    return csvFailure(FailureCode::unreadableInput, subject, std::max<std::size_t>(1, table.number()),
-                      "is " + quotedBegin(table.line()) + ", not the header \"" + std::string(header) + "\"",
-                      "Use detent-import for a force meter's own CSV");
+    return csvFailure(
+        FailureCode::unreadableInput, subject, std::max<std::size_t>(1, table.number()),
+        "the line is " + quotedBegin(table.line()) + ", not the header \"" + std::string(header) + "\"",
+        "Use detent-import for a force meter's own CSV");
   GraphPolylines lines;
   while (table.next())
     if (auto problem = appendRow(lines, table, subject)) return *problem;
   if (lines.press.empty() && lines.release.empty())
-    return csvFailure(FailureCode::noForceGraph, subject, 0, "has a header but no rows",
+    return csvFailure(FailureCode::noForceGraph, subject, 0, "the file has a header but no rows",
                       "Give rows of a force graph");
   return lines;
 }
@@ -118,7 +119,7 @@ Result<ForceGraph> graphFromCsv(std::string_view text, const std::string& subjec
   auto lines = polylinesFromCsv(text, subject);
   if (!lines) return lines.failure();
   if (lines->press.empty())
-    return csvFailure(FailureCode::noForceGraph, subject, 0, "has no press rows",
+    return csvFailure(FailureCode::noForceGraph, subject, 0, "the file has no press rows",
                       "Give the press stroke as well");
   const double tolerance_N =
       std::max(samplingTolerance * forceRange(*lines), std::numeric_limits<double>::min());

@@ -84,7 +84,7 @@ std::vector<Crossing> crossingsOf(const ForceGraph& graph, Stroke stroke, const 
 
 Result<std::string> forceStepsFrom(const ForceGraph& graph, double step_N) {
   if (!(step_N > 0) || !std::isfinite(step_N))
-    return Failure{FailureCode::wrongUsage, Subject::option("--force-step"), "", "is not above 0 N",
+    return Failure{FailureCode::wrongUsage, Subject::option("--force-step"), "", "the step is not above 0 N",
                    "Pass a step such as 0.1"};
   std::string csv = "stroke,force_N,displacement_mm\n";
   std::size_t rows = 0;
@@ -98,7 +98,7 @@ Result<std::string> forceStepsFrom(const ForceGraph& graph, double step_N) {
   }
   if (rows > mostForceSteps)
     return Failure{FailureCode::wrongUsage, Subject::option("--force-step"), "",
-                   "is too small: the table would have more than 100000 rows", "Pass a larger step"};
+                   "the step is too small: the table would have more than 100000 rows", "Pass a larger step"};
   return csv;
 }
 

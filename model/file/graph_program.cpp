@@ -41,11 +41,12 @@ Result<ButtonState> chosenState(const Button& button, const std::string& name, c
   if (name.empty() && button.states().size() == 1) return button.states().front();
   if (name.empty())
     return Failure{FailureCode::notCertain, path, "",
-                   "has two states (" + stateNames(button) + "), one was expected",
+                   "the button has two states (" + stateNames(button) + "), but one was expected",
                    std::string("Name one with ") + option};
   for (const ButtonState& state : button.states())
     if (state.name == name) return state;
-  return usage(path, "has no state \"" + name + "\"", "Name one of its states: " + stateNames(button));
+  return usage(path, "the button has no state \"" + name + "\"",
+               "Name one of its states: " + stateNames(button));
 }
 
 // Rows of a CSV unchanged, or samples of a button's curves.
@@ -96,13 +97,13 @@ Result<ButtonFile> readFile(const std::string& path) {
   auto kind = kindOfFile(path);
   if (!kind) return kind.failure();
   if (*kind == GraphFileKind::svg)
-    return usage(path, "is a picture, which this program only writes",
+    return usage(path, "this is a picture, which this program only writes",
                  "Use detent-import to read a force graph from it");
   if (*kind == GraphFileKind::tracedProject || *kind == GraphFileKind::tracedArchive)
-    return usage(path, "is a project of WebPlotDigitizer, which this program only writes",
+    return usage(path, "this is a project of WebPlotDigitizer, which this program only writes",
                  "Use detent-import to read the strokes in it");
   if (*kind == GraphFileKind::dataPackage)
-    return usage(path, "is the description of a data package, which this program only writes",
+    return usage(path, "this is the description of a data package, which this program only writes",
                  "Name the CSV file of its curve instead");
   if (*kind == GraphFileKind::button) return readWholeButtonFile(path);
   auto text = readTextFile(path);
@@ -121,7 +122,7 @@ Result<GraphFileKind> kindOfFile(const std::string& path) {
     return GraphFileKind::dataPackage;
   // Readers expect this exact name, and the tables of two packages in one folder would collide.
   if (endsWith(path, ".datapackage.json"))
-    return usage(path, "is no name of a data package: its description is called datapackage.json",
+    return usage(path, "this is not the name of a data package: its description is called datapackage.json",
                  "Give each package a folder of its own: FOLDER/datapackage.json");
   if (endsWith(path, ".wpd.json")) return GraphFileKind::tracedProject;
   if (endsWith(path, ".tar")) return GraphFileKind::tracedArchive;
@@ -129,7 +130,7 @@ Result<GraphFileKind> kindOfFile(const std::string& path) {
   if (endsWith(path, ".csv")) return GraphFileKind::csv;
   if (endsWith(path, ".svg")) return GraphFileKind::svg;
   return usage(
-      path, "does not end in .button.json, .csv or .svg",
+      path, "the name does not end in .button.json, .csv or .svg",
       "Give the file one of these endings; convert also writes datapackage.json, .wpd.json and .tar");
 }
 
@@ -159,15 +160,16 @@ Result<Report> convertGraph(const std::string& in, const std::string& out, const
                                : !options.travels_mm.empty() ? "--travels"
                                                              : nullptr;
   if (sampling && *kind != GraphFileKind::csv)
-    return usage(Subject::option(sampling), "is for a .csv alone", "Leave it out, or write a .csv");
+    return usage(Subject::option(sampling), "this option is for a .csv alone",
+                 "Leave it out, or write a .csv");
   if (!(options.svg.width_px > 200 && options.svg.height_px > 200 && options.svg.width_px <= 20000 &&
         options.svg.height_px <= 20000))
-    return usage("plot size", "is not between 200 and 20000 px", "Choose a size such as 640 by 460");
+    return usage("plot size", "the size is not between 200 and 20000 px", "Choose a size such as 640 by 460");
   auto file = readFile(in);
   if (!file) return file.failure();
   if (options.speed_mm_per_s) {
     if (speedsOf(file->button).empty())
-      return usage(Subject::option("--speed"), "is for a button with graphs at several speeds",
+      return usage(Subject::option("--speed"), "this option is for a button with graphs at several speeds",
                    "Leave it out");
     auto one = atSpeed(file->button, *options.speed_mm_per_s);
     if (!one) return one.failure();
@@ -187,7 +189,7 @@ Result<Report> averageGraphs(const std::vector<std::string>& units, const std::s
   const auto kind = kindOfFile(out);
   if (!kind) return kind.failure();
   if (*kind != GraphFileKind::button)
-    return usage(out, "is no button's name", "Give the output the ending .button.json");
+    return usage(out, "this is not the name of a button file", "Give the output the ending .button.json");
   std::vector<Button> buttons;
   for (const std::string& unit : units) {
     auto button = readButton(unit);
@@ -205,7 +207,7 @@ Result<Report> familyOfGraphs(const std::vector<std::string>& paths,
   const auto kind = kindOfFile(out);
   if (!kind) return kind.failure();
   if (*kind != GraphFileKind::button)
-    return usage(out, "is no button's name", "Give the output the ending .button.json");
+    return usage(out, "this is not the name of a button file", "Give the output the ending .button.json");
   std::vector<Button> buttons;
   for (const std::string& path : paths) {
     auto button = readButton(path);

@@ -24,18 +24,18 @@ Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migra
   };
   const auto found = document.find("version");
   if (found == document.end())
-    return refuse(Message("is missing"), Message("Add \"version\": %1", std::to_string(newest)));
+    return refuse(Message("the field is missing"), Message("Add \"version\": %1", std::to_string(newest)));
   if (!found->is_number_integer())
-    return refuse("is " + jsonText(*found).substr(0, 40) + ", not a whole number",
+    return refuse("the version is " + jsonText(*found).substr(0, 40) + ", not a whole number",
                   "Write \"version\": " + std::to_string(newest));
   const bool tooLarge = found->is_number_unsigned() && found->get<unsigned long long>() > 1000000;
   const long long version = tooLarge ? 1000000 : found->get<long long>();
   if (version > newest)
-    return refuse(
-        Message("is %1; this program reads versions up to %2", jsonText(*found), std::to_string(newest)),
-        Message("Update Detent to open this file"));
+    return refuse(Message("the file has version %1; this program reads versions up to %2", jsonText(*found),
+                          std::to_string(newest)),
+                  Message("Update Detent to open this file"));
   if (version < 1)
-    return refuse("is " + jsonText(*found) + ", but versions count from 1", "Correct the number");
+    return refuse("the version is " + jsonText(*found) + ", but versions count from 1", "Correct the number");
   for (auto step = static_cast<std::size_t>(version - 1); step < steps.size(); ++step) {
     steps[step](document);
     document["version"] = static_cast<long long>(step) + 2;

@@ -330,7 +330,7 @@ Message lossOf(ShapeRule rule) {
     case ShapeRule::noPull:
       return Message("the force would fall below 0, and the button would pull");
     case ShapeRule::mainEvent:
-      return Message("another tactile point would become the main one");
+      return Message("another tactile point would get the largest drop");
     case ShapeRule::onStroke:
       return Message("the operating or the reset point would leave its stroke");
     case ShapeRule::inOrder:
@@ -388,9 +388,9 @@ std::vector<Message> termsOf(const std::vector<FigureTarget>& targets) {
 TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
   const std::vector<Message> terms = termsOf(targets);
   const std::vector<Message> rest(terms.begin() + 2, terms.end());
-  Message problem = rest.empty()
-                        ? Message("%1 and %2 contradict each other", terms[0], terms[1])
-                        : Message("these contradict each other: %1; %2; %3", terms[0], terms[1], rest);
+  Message problem =
+      rest.empty() ? Message("%1 and %2 contradict each other", terms[0], terms[1])
+                   : Message("these targets contradict each other: %1; %2; %3", terms[0], terms[1], rest);
   const Message remedy = rest.empty() ? Message("Remove or unlock one of the two, or give it another value")
                                       : Message("Remove or unlock one of them, or give it another value");
   return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
@@ -528,7 +528,7 @@ class Bending {
         });
     if (broken) return lossOf(*broken);
     if (obstacle) return lossOf(*obstacle);
-    return Message("the curve would lose more than one of its properties");
+    return Message("the curve would break several rules at once");
   }
 
   const Button& button_;
@@ -568,7 +568,8 @@ TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::
                              {},
                              refusal(Message("the button has no key figure of this kind: %1",
                                              Message::of(termOf(target.figure), {})),
-                                     Message("First add to the curve what the key figure measures"))}};
+                                     Message("First add to the curve the part that this key figure measures, "
+                                             "such as a release or a tactile point"))}};
     if (!std::isfinite(target.value))
       return {{},
               TargetConflict{{target.figure},

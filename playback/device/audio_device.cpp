@@ -87,7 +87,8 @@ Failure troubleOf(const std::string& device, Message what, PaError error) {
   }
   return {FailureCode::deviceTrouble, device.empty() ? Subject("default device") : Subject(device), "",
           Message("%1 (%2)", std::move(what), text),
-          Message("Run `detent-play devices` to see what is connected")};
+          Message("Check the connection of the sound device, or choose another one; `detent-play devices` "
+                  "and the Feel panel (Setup) list them")};
 }
 
 AudioDeviceInfo infoOf(PaDeviceIndex index) {
@@ -136,12 +137,13 @@ Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction)
   const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
   if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
-    return Failure{FailureCode::deviceTrouble, wanted, "",
-                   output ? Message("is not a sound output of this computer")
-                          : Message("is not a sound input of this computer"),
-                   Message("Run `detent-play devices` for a list")};
+    return Failure{
+        FailureCode::deviceTrouble, wanted, "",
+        output ? Message("this computer has no sound output of this name")
+               : Message("this computer has no sound input of this name"),
+        Message("Choose a sound device from the list of `detent-play devices` or of the Feel panel (Setup)")};
   }
-  return Failure{FailureCode::wrongUsage, wanted, "", Message("names several devices: %1", names),
+  return Failure{FailureCode::wrongUsage, wanted, "", Message("several devices match this name: %1", names),
                  Message("Give a longer part of the name")};
 }
 
@@ -151,7 +153,8 @@ Result<std::vector<AudioDeviceInfo>> listAudioDevices() {
   const std::lock_guard lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError)
-    return troubleOf("PortAudio", Message("cannot be started"), library.error());
+    return troubleOf("PortAudio", Message("the sound system or the sound device cannot be started"),
+                     library.error());
   std::vector<AudioDeviceInfo> devices;
   for (PaDeviceIndex i = 0; i < Pa_GetDeviceCount(); ++i) devices.push_back(infoOf(i));
   return devices;
@@ -161,7 +164,8 @@ Result<double> sampleRateFor(const AudioSettings& settings) {
   const std::lock_guard lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError)
-    return troubleOf("PortAudio", Message("cannot be started"), library.error());
+    return troubleOf("PortAudio", Message("the sound system or the sound device cannot be started"),
+                     library.error());
   Result<PaDeviceIndex> index = findDevice(settings.device, Direction::output);
   if (!index) return index.failure();
   const double own = infoOf(*index).sampleRate_Hz;
@@ -206,15 +210,17 @@ class AudioOutput::Stream {
     const std::lock_guard lock(libraryMutex);
     library_ = std::make_unique<Library>();
     if (library_->error() != paNoError)
-      return troubleOf("PortAudio", Message("cannot be started"), library_->error());
+      return troubleOf("PortAudio", Message("the sound system or the sound device cannot be started"),
+                       library_->error());
     Result<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
     if (!index) return index.failure();
     const AudioDeviceInfo info = infoOf(*index);
     channels_ = channelsOf(info);
     if (channels_.signal < std::min(1, settings_.channels))
-      return Failure{FailureCode::deviceTrouble, info.fullName(), "",
-                     Message("has only one output: the masking noise would be felt"),
-                     Message("Name the sound device of the headphones with the option --noise-device")};
+      return Failure{
+          FailureCode::deviceTrouble, info.fullName(), "",
+          Message("the sound device has only one output, so participants would feel the masking noise"),
+          Message("Name the sound device of the headphones with the option --noise-device")};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
       library_.reset();
@@ -257,12 +263,16 @@ class AudioOutput::Stream {
                                   &Stream::callback, this);
     if (error != paNoError) {
       stream_ = nullptr;
-      return troubleOf(info.fullName(),
-                       Message("cannot be opened at %1 Hz", std::lround(session_.sampleRate_Hz())), error);
+      return troubleOf(
+          info.fullName(),
+          Message("the sound device cannot be opened at %1 Hz", std::lround(session_.sampleRate_Hz())),
+          error);
     }
     renderer_.touch(now_s());
     error = Pa_StartStream(stream_);
-    if (error != paNoError) return troubleOf(info.fullName(), Message("cannot be started"), error);
+    if (error != paNoError)
+      return troubleOf(info.fullName(), Message("the sound system or the sound device cannot be started"),
+                       error);
     const PaStreamInfo* const started = Pa_GetStreamInfo(stream_);
     latency_s_ = started != nullptr ? started->outputLatency : 0;
     const std::lock_guard lock(watchMutex_);
@@ -399,7 +409,8 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
   std::unique_lock lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError)
-    return troubleOf("PortAudio", Message("cannot be started"), library.error());
+    return troubleOf("PortAudio", Message("the sound system or the sound device cannot be started"),
+                     library.error());
   Result<PaDeviceIndex> out = findDevice(settings.device, Direction::output);
   if (!out) return out.failure();
   Result<PaDeviceIndex> in =
@@ -426,7 +437,8 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
   }
   if (error != paNoError) {
     if (stream != nullptr) Pa_CloseStream(stream);
-    return troubleOf(settings.device, Message("cannot play and record at once"), error);
+    return troubleOf(settings.device, Message("the sound device cannot play and record at the same time"),
+                     error);
   }
   lock.unlock();  // unlocked for minutes, so that other threads can list and open devices
   const double deadline_s = now_s() + static_cast<double>(samples.size()) / rate + 5;
@@ -436,7 +448,8 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
   Pa_AbortStream(stream);
   Pa_CloseStream(stream);
   if (!complete)
-    return Failure{FailureCode::deviceTrouble, settings.device, "", Message("stopped during the measurement"),
+    return Failure{FailureCode::deviceTrouble, settings.device, "",
+                   Message("the sound device stopped during the measurement"),
                    Message("Check the device and try again")};
   recording.dropouts = duplex.dropouts;
   return recording;
@@ -456,7 +469,8 @@ class AudioCapture::Recorder {
   std::optional<Failure> start(const std::string& device) {
     const std::lock_guard lock(libraryMutex);
     if (library_.error() != paNoError)
-      return troubleOf("PortAudio", Message("cannot be started"), library_.error());
+      return troubleOf("PortAudio", Message("the sound system or the sound device cannot be started"),
+                       library_.error());
     Result<PaDeviceIndex> index = findDevice(device, Direction::input);
     if (!index) return index.failure();
     PaStreamParameters input{};
@@ -469,10 +483,11 @@ class AudioCapture::Recorder {
                                   &Recorder::callback, this);
     if (error != paNoError) {
       stream_ = nullptr;
-      return troubleOf(device, Message("cannot be used for recording"), error);
+      return troubleOf(device, Message("the sound device cannot be used for recording"), error);
     }
     error = Pa_StartStream(stream_);
-    if (error != paNoError) return troubleOf(device, Message("cannot be started"), error);
+    if (error != paNoError)
+      return troubleOf(device, Message("the sound system or the sound device cannot be started"), error);
     return {};
   }
 

@@ -100,7 +100,8 @@ Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<
   const std::string name = "Novint Falcon " + std::to_string(settings.number);
   if (running(*started.usb)) return started;
   if (settings.firmware.empty()) {
-    return Failure{FailureCode::deviceTrouble, name, "", Message("was switched on and has no firmware yet"),
+    return Failure{FailureCode::deviceTrouble, name, "",
+                   Message("the Falcon was switched on and has no firmware yet"),
                    Message("Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)")};
   }
   while (started.uploads < uploadTries && started.usb->alive() && !cancelled) {
@@ -108,7 +109,7 @@ Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<
     if (uploaded(*started.usb, settings.firmware, cancelled) && running(*started.usb)) return started;
   }
   return Failure{FailureCode::deviceTrouble, name, "",
-                 Message("does not accept the firmware; tried %1 times", started.uploads),
+                 Message("the Falcon did not accept the firmware in %1 attempts", started.uploads),
                  Message("Switch the device off and on, connect it without a hub, and try again")};
 }
 

@@ -101,15 +101,16 @@ bool isFalconFirmware(std::span<const std::uint8_t> image) {
 Result<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) return notReadable(file, Message("cannot be read (%1)", error.message()));
+  if (error) return notReadable(file, Message("the file cannot be read (%1)", error.message()));
   if (size > largestFirmware_bytes)
-    return notReadable(file, Message("is not Falcon firmware: the file is too large"));
+    return notReadable(file, Message("the file is not Falcon firmware: it is too large"));
   std::vector<std::uint8_t> image(static_cast<std::size_t>(size));
   std::ifstream in(file, std::ios::binary);
   in.read(reinterpret_cast<char*>(image.data()), static_cast<std::streamsize>(image.size()));
-  if (!in) return notReadable(file, Message("cannot be read"));
+  if (!in) return notReadable(file, Message("the file cannot be read"));
   if (!isFalconFirmware(image))
-    return notReadable(file, Message("is not Falcon firmware: it is not a boot image of its processor"));
+    return notReadable(
+        file, Message("the file is not Falcon firmware: it is not a boot image of the Falcon's processor"));
   return image;
 }
 

@@ -59,16 +59,17 @@ std::string falconName(unsigned number) { return "Novint Falcon " + std::to_stri
 
 Failure usbTrouble(unsigned number, int error) {
   if (error == LIBUSB_ERROR_ACCESS) {
-    return {FailureCode::deviceTrouble, falconName(number), "", Message("cannot be used without permission"),
+    return {FailureCode::deviceTrouble, falconName(number), "",
+            Message("you have no permission to use the device"),
             Message("Give yourself the permission with a udev rule (docs/guide/force-feedback.md), then plug "
                     "the device in again")};
   }
   if (error == LIBUSB_ERROR_BUSY) {
-    return {FailureCode::deviceTrouble, falconName(number), "", Message("is in use by another program"),
-            Message("End the other program")};
+    return {FailureCode::deviceTrouble, falconName(number), "",
+            Message("another program is using the device"), Message("End the other program")};
   }
   return {FailureCode::deviceTrouble, falconName(number), "",
-          Message("cannot be opened (%1)", libusb_strerror(static_cast<libusb_error>(error))),
+          Message("the device cannot be opened (%1)", libusb_strerror(static_cast<libusb_error>(error))),
           Message("Unplug the device, switch its power off and on, plug it in again")};
 }
 
@@ -184,7 +185,7 @@ Result<std::unique_ptr<FalconUsb>> FalconUsb::open(unsigned number) {
   const int error = link->start(number);
   if (error == LIBUSB_ERROR_NOT_FOUND || error == LIBUSB_ERROR_NO_DEVICE) {
     return Failure{
-        FailureCode::deviceTrouble, falconName(number), "", Message("is not connected"),
+        FailureCode::deviceTrouble, falconName(number), "", Message("the Falcon is not connected"),
         Message("Check its cable and its power supply, or try it without hardware: --device sim:falcon")};
   }
   if (error != 0) return usbTrouble(number, error);

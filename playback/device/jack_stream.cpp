@@ -126,13 +126,14 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
   auto client = std::make_unique<Client>(renderer);
   client->jack = jack_client_open("detent", JackNoStartServer, nullptr);
   if (client->jack == nullptr)
-    return trouble(Message("the JACK server does not answer"), Message("Start jackd"));
+    return trouble(Message("the JACK server does not answer"), Message("Start the JACK server (jackd)"));
   const double rate_Hz = jack_get_sample_rate(client->jack);
   if (wanted_Hz > 0 && std::fabs(rate_Hz - wanted_Hz) > 1)
-    return trouble(Message("runs at another sample rate"), Message("Leave --device-rate out"));
+    return trouble(Message("the JACK server runs at another sample rate"),
+                   Message("Leave --device-rate out"));
   if (rate_Hz < HapticEngine::lowestSampleRate_Hz || rate_Hz > HapticEngine::highestSampleRate_Hz)
-    return trouble(Message("runs at a rate outside 8000..192000 Hz"),
-                   Message("Restart jackd at another rate"));
+    return trouble(Message("the JACK server runs at a sample rate outside 8000 to 192000 Hz"),
+                   Message("Restart the JACK server at another sample rate"));
   renderer.setSampleRate(rate_Hz);
   client->channels = static_cast<std::size_t>(std::clamp(channels.all(), 1, mostChannels));
   client->signalChannels = static_cast<std::size_t>(std::max(0, channels.signal));
@@ -141,18 +142,20 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
     client->ports[c] =
         jack_port_register(client->jack, name.c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
     if (client->ports[c] == nullptr)
-      return trouble(Message("has no free ports"), Message("Close another JACK program"));
+      return trouble(Message("the JACK server has no free ports"), Message("Close another JACK program"));
   }
   jack_on_shutdown(client->jack, &Client::shutdown, client.get());
   jack_set_xrun_callback(client->jack, &Client::xrun, client.get());
   if (jack_set_process_callback(client->jack, &Client::process, client.get()) != 0 ||
       jack_activate(client->jack) != 0) {
-    return trouble(Message("does not start"), Message("Restart jackd"));
+    return trouble(Message("the connection to the JACK server does not start"),
+                   Message("Restart the JACK server (jackd)"));
   }
   const std::vector<std::string> inputs = inputsOf(client->jack, target);
   if (inputs.empty())
-    return trouble(Message("has no inputs"),
-                   Message("Choose another output; `detent-play devices` lists them"));
+    return trouble(
+        Message("this JACK device has no inputs to connect to"),
+        Message("Choose another sound device; `detent-play devices` and the Feel panel (Setup) list them"));
   for (std::size_t c = 0; c < std::min(client->channels, inputs.size()); ++c)
     jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c].c_str());
   jack_recompute_total_latencies(client->jack);  // so that the latency is known right after opening

@@ -6,8 +6,10 @@
 namespace detent::playback {
 
 Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings&) {
-  return Failure{FailureCode::deviceTrouble, "Novint Falcon", "", Message("is not part of this build"),
-                 Message("Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON")};
+  return Failure{FailureCode::deviceTrouble, "Novint Falcon", "",
+                 Message("this build of Detent does not support the Novint Falcon"),
+                 Message("Choose another force device, or install a build of Detent with the Falcon "
+                         "(docs/guide/force-feedback.md)")};
 }
 
 }  // namespace detent::playback

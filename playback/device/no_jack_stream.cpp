@@ -14,8 +14,9 @@ bool JackStream::alive() const { return false; }
 double JackStream::latency_s() const { return 0; }
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels, double,
                                                      StreamRenderer&) {
-  return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", Message("is not part of this build"),
-                 Message("Build with libjack-jackd2-dev")};
+  return Failure{FailureCode::deviceTrouble, "JACK: " + target, "",
+                 Message("this build of Detent has no JACK output"),
+                 Message("Choose a sound device without \"JACK:\", or install a build of Detent with JACK")};
 }
 
 }  // namespace detent::playback

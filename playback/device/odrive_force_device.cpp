@@ -178,7 +178,7 @@ constexpr std::uint64_t leastCut = 100000000;  // nine digits
 }  // namespace
 
 Message odriveErrorWords(std::uint64_t error, bool newer) {
-  if (error == 0) return Message("it reports no error, but does not reach closed-loop control");
+  if (error == 0) return Message("the ODrive reports no error, but does not reach closed-loop control");
   std::size_t count = 0;
   const std::pair<std::uint64_t, Message>* names = newer ? newerNames(count) : olderNames(count);
   std::vector<Message> words;

@@ -99,14 +99,14 @@ Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::st
     if (!device->hello(problem)) continue;
     if (device->info_.force_N < limits.force_N * 0.999) {
       return Failure{FailureCode::wrongUsage, port, "",
-                     Message("can produce only %1, less than the playback was prepared for",
+                     Message("the device can produce only %1, less than the playback was prepared for",
                              newtons(device->info_.force_N)),
                      Message("Give --max-N %1", device->info_.force_N)};
     }
     if (device->limited()) return device;
     problem = Message(
-        "does not confirm the limits that it was given: nothing would limit its force if this program "
-        "failed");
+        "the device does not confirm the limits that it was given, so nothing would limit its force if this "
+        "program failed");
   }
   return Failure{FailureCode::deviceTrouble, port, "", problem,
                  Message("Check that the firmware follows docs/reference/force-protocol.md and that the baud "
@@ -128,9 +128,9 @@ bool SerialForceDevice::hello(Message& problem) {
     const std::optional<std::string_view> body = forceLineBody(*line);
     if (!body) {
       if (const std::string quoted = quotable(*line); quoted.empty()) {
-        problem = Message("gives an answer that is not part of the protocol");
+        problem = Message("the device gives an answer that is not part of the protocol");
       } else {
-        problem = Message("answers \"%1\", which is not part of the protocol", quoted);
+        problem = Message("the device answers \"%1\", which is not part of the protocol", quoted);
       }
       continue;
     }
@@ -144,7 +144,8 @@ bool SerialForceDevice::hello(Message& problem) {
     }
     if (f.count < 7 || !read(f[6], version) || version < protocol) {
       problem = Message(
-          "uses an older protocol without its own force limit: install samples/firmware/force1d again");
+          "the device uses an older protocol without its own force limit: install samples/firmware/force1d "
+          "again");
       continue;
     }
     info_.name = f[1];
@@ -201,34 +202,36 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
 
 std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::string& device) {
   if (program.states[0].speedCount > 1) {
-    return Failure{FailureCode::wrongUsage, device, "",
-                   Message("can hold the force of only one speed; this button has graphs at %1 speeds",
-                           program.states[0].speedCount),
-                   Message("Do not upload, so that this computer computes the force. Or upload a button with "
-                           "one speed, which detent-graph convert --speed V writes")};
-  }
-  if (program.stateCount != 1) {
     return Failure{
         FailureCode::wrongUsage, device, "",
-        Message("can run only one state; this button has %1", program.stateCount),
-        Message("Do not upload, so that this computer computes the force of self-locking buttons")};
+        Message("the device can hold the force of only one speed; this button has graphs at %1 speeds",
+                program.states[0].speedCount),
+        Message("Do not upload, so that this computer computes the force. Or upload a button with "
+                "one speed, which detent-graph convert --speed V writes")};
+  }
+  if (program.stateCount != 1) {
+    return Failure{FailureCode::wrongUsage, device, "",
+                   Message("the device can run only one state; this button has %1", program.stateCount),
+                   Message("Switch the upload of the force table off, so that this computer computes the "
+                           "force of self-locking buttons")};
   }
   return {};
 }
 
 Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
   Failure refused{
-      FailureCode::deviceTrouble, info_.name, "", Message("does not accept the force table"),
+      FailureCode::deviceTrouble, info_.name, "", Message("the device does not accept the force table"),
       Message("Check the firmware and the cable; without the upload, this computer computes the force")};
   if (std::optional<Failure> other = refusedAsTable(program, info_.name)) return *std::move(other);
   if (info_.tableRows < 2) {
-    return Failure{FailureCode::wrongUsage, info_.name, "", Message("cannot hold a force table"),
-                   Message("Do not upload, so that this computer computes the force")};
+    return Failure{
+        FailureCode::wrongUsage, info_.name, "", Message("the device cannot hold a force table"),
+        Message("Switch the upload of the force table off, so that this computer computes the force")};
   }
   const double requested_N = program.limits.force_N;
   if (!(requested_N > 0) || requested_N > limits_.force_N * (1 + 1e-9)) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
-                   Message("was opened with a limit of %1, but the table has %2 or no limit",
+                   Message("the device was opened with a limit of %1, but the table has %2 or no limit",
                            newtons(limits_.force_N), newtons(requested_N)),
                    Message("Prepare the button for the limit of the device")};
   }

@@ -62,13 +62,15 @@ bool SerialLink::openPort() {
 
 Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, double reopenPause_s) {
   if (baud < slowestBaud || baud > fastestBaud) {
-    return Failure{FailureCode::wrongUsage, port, "", Message("does not know %1 baud", baud),
+    return Failure{FailureCode::wrongUsage, port, "", Message("a speed of %1 baud is not supported", baud),
                    Message("Give a rate from %1 to %2", slowestBaud, fastestBaud)};
   }
   if (const std::string other = sameSerialNumber(port); !other.empty()) {
-    return Failure{FailureCode::deviceTrouble, port, "",
-                   Message("is the name of two devices with the same serial number; the other is %1", other),
-                   Message("Unplug one of them, or give a name under /dev/serial/by-path")};
+    return Failure{
+        FailureCode::deviceTrouble, port, "",
+        Message("two devices have this name, because their serial numbers are the same; the other one is %1",
+                other),
+        Message("Unplug one of them, or give a name under /dev/serial/by-path")};
   }
   SerialLink link;
   link.port_ = port;
@@ -79,16 +81,17 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
   if (link.openPort()) return link;
   if (errno == EBUSY) {
     const std::string holder = holderOf(port);
-    return Failure{
-        FailureCode::deviceTrouble, port, "",
-        holder.empty() ? Message("is in use by another program") : Message("is in use by %1", holder),
-        Message("End that program, then try again")};
+    return Failure{FailureCode::deviceTrouble, port, "",
+                   holder.empty() ? Message("another program is using the device")
+                                  : Message("%1 is using the device", holder),
+                   Message("End that program, then try again")};
   }
   if (errno == EINVAL) {
-    return Failure{FailureCode::deviceTrouble, port, "", Message("cannot run at %1 baud", baud),
+    return Failure{FailureCode::deviceTrouble, port, "", Message("the port cannot run at %1 baud", baud),
                    Message("Give another --baud, and set it in the firmware too")};
   }
-  return Failure{FailureCode::deviceTrouble, port, "", Message("cannot be opened (%1)", std::strerror(errno)),
+  return Failure{FailureCode::deviceTrouble, port, "",
+                 Message("the device cannot be opened (%1)", std::strerror(errno)),
                  Message("Check the name, the cable and your permission to use the port (group dialout)")};
 }
 

@@ -171,7 +171,7 @@ Result<std::unique_ptr<SignalServer>> opened(const std::string& kind, UdpServer:
   auto server = std::make_unique<UdpServer>(parse, std::move(receiver));
   if (const int error = server->start(port, address); error != 0) {
     return Failure{FailureCode::deviceTrouble, kind + " port " + address + ":" + std::to_string(port), "",
-                   Message("cannot be opened to receive messages (%1)", systemWords(error)),
+                   Message("the port cannot be opened to receive messages (%1)", systemWords(error)),
                    Message("Choose another port")};
   }
   return std::unique_ptr<SignalServer>(std::move(server));
@@ -215,7 +215,7 @@ Result<std::unique_ptr<SignalSender>> SignalSender::open(const std::string& host
   if (error != 0 || s->socket.descriptor() < 0) {
     const std::string why = error != 0 ? ::gai_strerror(error) : systemWords(errno);
     return Failure{FailureCode::deviceTrouble, host + ":" + std::to_string(port), "",
-                   Message("cannot be reached (%1)", why), Message("Check host and port")};
+                   Message("the receiver cannot be reached (%1)", why), Message("Check host and port")};
   }
   std::memcpy(&s->target, found->ai_addr, sizeof s->target);
   ::freeaddrinfo(found);

@@ -21,7 +21,7 @@ Result<ForceRecord> parseForceRecord(const std::string& text, const std::string&
   const auto bad = [&](const std::string& problem) {
     return Failure{FailureCode::unreadableInput, name, table.place(), problem, form};
   };
-  if (!table.next()) return Failure{FailureCode::unreadableInput, name, "", "is empty", form};
+  if (!table.next()) return Failure{FailureCode::unreadableInput, name, "", "the file is empty", form};
   const auto columns = table.columns(columnNames);
   if (!columns) return bad("the header is " + quotedBegin(table.line()));
   ForceRecord record;

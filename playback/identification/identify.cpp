@@ -450,7 +450,7 @@ void scaleBack(Identification& found, int scale) {
 
 Result<Identification> identified(const ForceRecord& record, const IdentifySettings& settings) {
   if (settings.knots < 1 || settings.knots > mostKnots) {
-    return Failure{FailureCode::wrongUsage, "--knots", "", "is " + std::to_string(settings.knots),
+    return Failure{FailureCode::wrongUsage, "--knots", "", "the value is " + std::to_string(settings.knots),
                    "Give 1 to 32"};
   }
   if (record.time_s.size() < fewestSamples + 4 * settings.knots) {
@@ -462,8 +462,8 @@ Result<Identification> identified(const ForceRecord& record, const IdentifySetti
       std::minmax_element(record.displacement_mm.begin(), record.displacement_mm.end());
   const RecordWindows windows(record, settings.lowestQuanta);
   if (!(*high_mm - *low_mm > leastMovement_quanta * windows.step_mm())) {
-    return unusable(Message("moves only %1 in steps of %2: too few steps", millimetres(*high_mm - *low_mm),
-                            millimetres(windows.step_mm())),
+    return unusable(Message("the recording covers only %1 in steps of %2, which are too few steps",
+                            millimetres(*high_mm - *low_mm), millimetres(windows.step_mm())),
                     "Record a press over the whole travel");
   }
   Identification found;

@@ -163,7 +163,7 @@ Result<std::vector<std::string>> writeExported(const Exported& exported, const s
   for (const ExportedFile& file : exported.files) {
     paths.push_back(pathOf(output, file));
     if (std::find(paths.begin(), paths.end() - 1, paths.back()) != paths.end() - 1)
-      return Failure{FailureCode::wrongUsage, output, "", Message("would be the name of two exported files"),
+      return Failure{FailureCode::wrongUsage, output, "", Message("two exported files would get this name"),
                      Message("Give the file another ending than %1", file.ending)};
     files.push_back({paths.back(), file.text});
   }

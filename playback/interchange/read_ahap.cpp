@@ -89,13 +89,13 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   if (entries.empty()) return;
   if (from_s > 0 && timeOf(entries.front()) >= from_s)
     result.note(
-        Message("control points count from the Time of their curve; the curve at %1 s seems to count them "
-                "from the beginning of the pattern, so it is played too late",
+        Message("the times of control points count from the Time of their curve. In the curve at %1 s they "
+                "seem to count from the beginning of the pattern instead, so it is played too late",
                 from_s));
   for (const JsonPlace& point : entries) {
     const double time_s = timeOf(point) + from_s;
     if (!points.empty() && time_s < points.back().first)
-      point.refuse(Message("lies before the previous control point"),
+      point.refuse(Message("this control point lies before the previous one"),
                    Message("Sort the curve's points by time"));
     points.emplace_back(time_s, point.numberOr("ParameterValue", 0, -anyNumber, anyNumber));
   }
@@ -187,7 +187,7 @@ PlayedWave waveOf(const ReadAhapEvent& event, const Controls& controls) {
 ReferenceWaves ahapWaves(const JsonPlace& file) {
   const double version = file.numberOr("Version", 1, 0, anyNumber);
   if (!(version >= 1 && version < 2))
-    file.at("Version").refuse(Message("is %1, but only version 1 of AHAP can be read", version),
+    file.at("Version").refuse(Message("the version is %1, but only version 1 of AHAP can be read", version),
                               Message("Export the file as version 1"));
   ReferenceWaves result;
   Controls controls;

@@ -22,7 +22,8 @@ struct Breakpoint {
 Breakpoint breakpointOf(const JsonPlace& entry, const char* value, const std::vector<Breakpoint>& before) {
   const Breakpoint point{entry.at("time").number(0, longestReference_s), entry.at(value).number(0, 1)};
   if (!before.empty() && point.time_s < before.back().time_s)
-    entry.at("time").refuse(Message("lies before the previous point"), Message("Sort the points by time"));
+    entry.at("time").refuse(Message("this point lies before the previous one"),
+                            Message("Sort the points by time"));
   return point;
 }
 
@@ -58,7 +59,7 @@ std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
 void refuseOtherVersions(const JsonPlace& version) {
   const double major = version.at("major").number(0, 1e9);
   if (major != 1)
-    version.refuse(Message("is %1, but only version 1 of .haptic can be read", major),
+    version.refuse(Message("the version is %1, but only version 1 of .haptic can be read", major),
                    Message("Export the file again as version 1"));
 }
 
@@ -76,8 +77,8 @@ ReferenceWaves hapticWaves(const JsonPlace& file) {
       const double amplitude = emphasis.at("amplitude").number(0, 1);
       const double frequency_Hz = frequencyOf(emphasis.at("frequency").number(0, 1));
       if (amplitude < point.value)
-        emphasis.refuse(Message("is weaker than the point that it emphasizes"),
-                        Message("Give it at least the amplitude of this point"));
+        emphasis.refuse(Message("the emphasis is weaker than the point that it emphasizes"),
+                        Message("Give the emphasis at least the amplitude of this point"));
       result.waves.push_back(
           {{{point.time_s, amplitude, frequency_Hz}, {point.time_s + transient_s, 0, frequency_Hz}}});
       point.value *= ducked * ducked;
@@ -85,7 +86,7 @@ ReferenceWaves hapticWaves(const JsonPlace& file) {
     amplitudes.push_back(point);
   }
   if (amplitudes.empty())
-    envelopes.at("amplitude").refuse(Message("holds no point"), Message("Give at least one point"));
+    envelopes.at("amplitude").refuse(Message("the list holds no point"), Message("Give at least one point"));
   if (envelopes.has("frequency"))
     for (const JsonPlace& entry : envelopes.at("frequency").elements()) {
       // Linear between the square roots, like AHAP's curves.

@@ -40,7 +40,7 @@ WaveShape shapeOf(const JsonPlace& effect) {
   if (name == "SawToothUp") return WaveShape::sawtoothUp;
   if (name == "SawToothDown") return WaveShape::sawtoothDown;
   effect.at("base_signal")
-      .refuse(Message("is %1, which is not a base signal", name),
+      .refuse(Message("there is no base signal %1", name),
               Message("Give Sine, Square, Triangle, SawToothUp or SawToothDown"));
 }
 
@@ -54,7 +54,7 @@ std::vector<Keyframe> keyframesOf(const JsonPlace& effect, const Band& band) {
                        keyframes.empty() ? 0 : keyframes.back().time_s * band.ticks_per_s, 0, mostTicks) /
         band.ticks_per_s;
     if (!keyframes.empty() && keyframe.time_s < keyframes.back().time_s)
-      entry.refuse(Message("lies before the previous keyframe"),
+      entry.refuse(Message("this keyframe lies before the previous one"),
                    Message("Sort the keyframes by relative_position"));
     if (entry.has("amplitude_modulation"))
       keyframe.amplitude = band.gain * entry.at("amplitude_modulation").number(-strongest, strongest);
@@ -154,8 +154,7 @@ bool readBand(const JsonPlace& entry, Band& band, ReferenceWaves& result) {
   }
   if (kind != "VectorialWave" && kind != "Transient" && kind != "Curve")
     entry.at("band_type")
-        .refuse(Message("is %1, which is not a kind of band", kind),
-                Message("Give Transient, Curve or VectorialWave"));
+        .refuse(Message("there is no band type %1", kind), Message("Give Transient, Curve or VectorialWave"));
   band.kind = kind == "Curve"       ? BandKind::curve
               : kind == "Transient" ? BandKind::transient
                                     : BandKind::vectorial;
@@ -185,7 +184,7 @@ void readEffect(const JsonPlace& effect, const Library& library, const Band& ban
   if (type != "Reference") return result.note(Message("effects of the type %1 are left out", type));
   const auto found = library.find(effect.at("id").number(-mostTicks, mostTicks));
   if (found == library.end())
-    effect.at("id").refuse(Message("names an effect that is not in the effect_library"),
+    effect.at("id").refuse(Message("this effect is not in the effect_library"),
                            Message("Add the effect to the effect_library"));
   addEffect(found->second, from_s, band, result);
 }
@@ -196,8 +195,9 @@ ReferenceWaves hjifWaves(const JsonPlace& file) {
   const std::string version = file.at("version").text();
   const bool draft = version == "1";  // the reference software wrote this before it named the edition
   if (!draft && !version.starts_with("2023") && !version.starts_with("2025"))
-    file.at("version").refuse(Message("is %1, but only the editions of 2023 and 2025 can be read", version),
-                              Message("Export the file for one of these editions"));
+    file.at("version").refuse(
+        Message("the version is %1, but only the editions of 2023 and 2025 can be read", version),
+        Message("Export the file for one of these editions"));
   const double ticks_per_s = file.numberOr("timescale", 1000, 1, 48000);
   ReferenceWaves result;
   if (draft) result.note(Message("the file has the draft version 1; it is played as the edition of 2023"));

@@ -56,12 +56,13 @@ Result<ReferenceSignal> played(const ReferenceWaves& read, ReferenceFormat forma
     sounding_s += wave.points.back().time_s - wave.points.front().time_s;
   }
   if (!(end_s > 0))
-    return unreadable(name, {}, Message("contains nothing to play"), Message("Give a file with events"));
+    return unreadable(name, {}, Message("the file contains nothing to play"),
+                      Message("Give a file with events"));
   if (end_s > longestReference_s)
-    return unreadable(name, {}, Message("lasts %1 s", end_s),
+    return unreadable(name, {}, Message("the file lasts %1 s", end_s),
                       Message("Give a file of at most %1 s", longestReference_s));
   if (sounding_s > mostSounding_s)
-    return unreadable(name, {}, Message("contains events of %1 s in total, which overlap", sounding_s),
+    return unreadable(name, {}, Message("the events of the file overlap and last %1 s in total", sounding_s),
                       Message("Give a file whose events last at most %1 s in total", mostSounding_s));
   std::vector<double> samples(static_cast<std::size_t>(std::ceil(end_s * referenceRate_Hz)) + 1, 0);
   addTo(samples, read.waves, referenceRate_Hz);
@@ -116,7 +117,8 @@ bool isCutOff(const Head& head, const std::filesystem::path& file) {
 
 Result<ReferenceSignal> soundReference(const Head& head, const std::filesystem::path& file) {
   if (isCutOff(head, file))
-    return unreadable(file.string(), {}, Message("is cut off"), Message("Export or copy the file again"));
+    return unreadable(file.string(), {}, Message("the file is cut off"),
+                      Message("Export or copy the file again"));
   Result<SoundSamples> sound = readSoundFile(file, longestReference_s);
   if (!sound) return sound.failure();
   ReferenceSignal signal;
@@ -170,7 +172,7 @@ ReferenceSignal playedOrThrown(const nlohmann::json& json, const std::string& na
   if (file.has("Pattern")) return give(ahapWaves(file), ReferenceFormat::ahap);
   if (file.has("signals")) return give(hapticWaves(file), ReferenceFormat::haptic);
   if (file.has("perceptions")) return give(hjifWaves(file), ReferenceFormat::hjif);
-  file.refuse(Message("is JSON, but not a haptic file"), anyOfThem());
+  file.refuse(Message("the file is JSON, but not a haptic file"), anyOfThem());
 }
 
 }  // namespace
@@ -184,12 +186,12 @@ void ReferenceWaves::note(Message message) {
 
 JsonPlace JsonPlace::at(const char* key) const {
   const std::string place = place_.empty() ? key : place_ + "." + key;
-  if (!has(key)) refuse(Message("has no %1", key), anyOfThem());
+  if (!has(key)) refuse(Message("the field %1 is missing", key), anyOfThem());
   return {value_.at(key), place, file_};
 }
 
 std::vector<JsonPlace> JsonPlace::elements() const {
-  if (!value_.is_array()) refuse(Message("is not a list"), anyOfThem());
+  if (!value_.is_array()) refuse(Message("the value is not a list"), anyOfThem());
   std::vector<JsonPlace> list;
   list.reserve(value_.size());
   for (std::size_t i = 0; i < value_.size(); ++i)
@@ -198,10 +200,10 @@ std::vector<JsonPlace> JsonPlace::elements() const {
 }
 
 double JsonPlace::number(double low, double high) const {
-  if (!value_.is_number()) refuse(Message("is not a number"), Message("Correct the value"));
+  if (!value_.is_number()) refuse(Message("the value is not a number"), Message("Correct the value"));
   const double number = value_.get<double>();
   if (!(number >= low && number <= high))
-    refuse(Message("is %1", number), Message("Give a number from %1 to %2", low, high));
+    refuse(Message("the value is %1", number), Message("Give a number from %1 to %2", low, high));
   return number;
 }
 
@@ -210,7 +212,7 @@ double JsonPlace::numberOr(const char* key, double otherwise, double low, double
 }
 
 std::string JsonPlace::text() const {
-  if (!value_.is_string()) refuse(Message("is not text"), Message("Correct the value"));
+  if (!value_.is_string()) refuse(Message("the value is not text"), Message("Correct the value"));
   return shortened(value_.get<std::string>());
 }
 
@@ -224,7 +226,7 @@ void JsonPlace::refuse(Message problem, const Message& remedy) const {
 
 Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name) {
   if (text.size() > largestText)
-    return unreadable(name, {}, Message("is larger than %1 MB", largestText >> 20),
+    return unreadable(name, {}, Message("the file is larger than %1 MB", largestText >> 20),
                       Message("Give a shorter file"));
   try {
     bool closingCommas = false;
@@ -238,10 +240,11 @@ Result<ReferenceSignal> referenceFromText(std::string_view text, const std::stri
     return failure;
   } catch (const nlohmann::json::parse_error& error) {
     return unreadable(name, placeOfByte(text, error.byte),
-                      Message("is not valid JSON: %1", plainReason(error.what())),
+                      Message("the file is not valid JSON: %1", plainReason(error.what())),
                       Message("Export the file again: it may have been cut off"));
   } catch (const nlohmann::json::out_of_range& error) {
-    return unreadable(name, {}, Message("holds a number that is too large: %1", plainReason(error.what())),
+    return unreadable(name, {},
+                      Message("the file holds a number that is too large: %1", plainReason(error.what())),
                       Message("Correct the number"));
   }
 }
@@ -253,10 +256,11 @@ Result<ReferenceSignal> readReference(const std::filesystem::path& file) {
   Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   const std::size_t first = text->find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return unreadable(file.string(), {}, Message("is empty"), anyOfThem());
+  if (first == std::string::npos)
+    return unreadable(file.string(), {}, Message("the file is empty"), anyOfThem());
   if (std::string_view(head.data(), 4) == "MIHS" || (*text)[first] != '{')
-    return unreadable(file.string(), {}, Message("is neither JSON nor a sound file that can be read"),
-                      anyOfThem());
+    return unreadable(file.string(), {},
+                      Message("the file is neither JSON nor a sound file that can be read"), anyOfThem());
   return referenceFromText(*text, file.string());
 }
 

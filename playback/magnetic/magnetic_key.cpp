@@ -61,13 +61,14 @@ Result<Done> checked(const MagneticKeySettings& s) {
   }
   if (!(s.topDeadZone_mm >= 0 && s.topDeadZone_mm <= s.reset_mm))
     return Failure{FailureCode::wrongUsage, "top dead zone", "",
-                   Message("%1 from rest reaches past the release point, %2", length(s.topDeadZone_mm),
-                           length(s.reset_mm)),
+                   Message("a top dead zone of %1 reaches past the release point, which is at %2",
+                           length(s.topDeadZone_mm), length(s.reset_mm)),
                    Message("Set at most %1, or move the release point down", length(s.reset_mm))};
   const double longestBottom_mm = s.travel_mm - s.actuate_mm;
   if (!(s.bottomDeadZone_mm >= 0 && s.bottomDeadZone_mm <= longestBottom_mm))
     return Failure{FailureCode::wrongUsage, "bottom dead zone", "",
-                   Message("%1 before the end of the travel, %2, reaches past the actuation point, %3",
+                   Message("a bottom dead zone of %1 before the end of the travel at %2 reaches past the "
+                           "actuation point, which is at %3",
                            length(s.bottomDeadZone_mm), length(s.travel_mm), length(s.actuate_mm)),
                    Message("Set at most %1, or move the actuation point up", length(longestBottom_mm))};
   return Done{};

@@ -45,23 +45,23 @@ Result<MagneticSensor> MagneticSensor::fromPairs(std::vector<SensorPair> pairs, 
                                                  const std::string& subject) {
   if (!(noise >= 0 && noise <= mostNoise))
     return Failure{FailureCode::wrongUsage, Subject::option("--noise"), "",
-                   Message("must lie between 0 and 1000000 counts"),
+                   Message("the noise must lie between 0 and 1000000 counts"),
                    Message("Give the standard deviation of the readings at rest")};
   if (pairs.size() < 2)
-    return unusable(subject, "", Message("has fewer than two pairs of displacement and reading"),
+    return unusable(subject, "", Message("the file has fewer than two pairs of displacement and reading"),
                     Message("Measure readings at several places of the travel"));
   const bool rises = pairs[1].reading > pairs[0].reading;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Message place("pair %1", i + 1);
     if (!std::isfinite(pairs[i].displacement_mm) || !std::isfinite(pairs[i].reading))
-      return unusable(subject, place, Message("is not a usable number"),
+      return unusable(subject, place, Message("one of the two values is not a usable number"),
                       Message("Remove or correct the value"));
     if (i == 0) continue;
     if (!(pairs[i].displacement_mm > pairs[i - 1].displacement_mm))
-      return unusable(subject, place, Message("is not deeper than the previous pair"),
+      return unusable(subject, place, Message("this pair is not deeper than the previous one"),
                       Message("Sort the pairs by displacement"));
     if (pairs[i].reading == pairs[i - 1].reading || (pairs[i].reading > pairs[i - 1].reading) != rises)
-      return unusable(subject, place, Message("has a reading that does not continue to rise or fall"),
+      return unusable(subject, place, Message("the reading of this pair does not continue to rise or fall"),
                       Message("Leave out the part of the travel where the reading of the sensor stays the "
                               "same or turns back"));
   }
@@ -73,15 +73,16 @@ Result<MagneticSensor> MagneticSensor::fromCsv(const std::string& file, double n
   Result<std::string> text = readTable(file, largestTable_bytes, remedies);
   if (!text) return text.failure();
   NumberTable table(*text);
-  if (!table.next()) return unusable(file, "", Message("is empty"), remedies);
+  if (!table.next()) return unusable(file, "", Message("the file is empty"), remedies);
   const auto columns = table.columns({"displacement_mm", "reading"});
   if (!columns)
-    return unusable(file, table.place(), Message("has no columns displacement_mm and reading"), remedies);
+    return unusable(file, table.place(), Message("the file has no columns displacement_mm and reading"),
+                    remedies);
   std::vector<SensorPair> pairs;
   while (table.next()) {
     const auto displacement_mm = table.finite((*columns)[0]), reading = table.finite((*columns)[1]);
     if (!displacement_mm || !reading)
-      return unusable(file, table.place(), Message("does not hold two usable numbers"),
+      return unusable(file, table.place(), Message("this line does not hold two usable numbers"),
                       Message("Remove or correct the value"));
     pairs.push_back({*displacement_mm, *reading});
   }

@@ -65,18 +65,19 @@ Result<ForceDeviceMeasurement> parseForceDevice(const std::string& text, const s
                          Message("the profile of a force device")};
   Result<Done> read =
       readProfileLines(text, name, kind, [&](std::string_view key, std::string_view value) -> Message {
-        if (!seen.emplace(key).second) return Message("is given twice");
+        if (!seen.emplace(key).second) return Message("this entry is given twice");
         if (key == "name") {
           device.name = std::string(value);
           return {};
         }
         const auto known =
             std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == key; });
-        if (known == keys.end()) return Message("is not known");
+        if (known == keys.end()) return Message("this entry is not known");
         std::vector<double> numbers;
-        if (!numbersOf(value, numbers) || numbers.size() != 1) return Message("is not a single number");
+        if (!numbersOf(value, numbers) || numbers.size() != 1)
+          return Message("the value is not a single number");
         if (!(numbers[0] >= known->least && numbers[0] <= known->most))
-          return Message("lies outside %1 to %2", exact(known->least), exact(known->most));
+          return Message("the value lies outside %1 to %2", exact(known->least), exact(known->most));
         *known->value = numbers[0];
         return {};
       });

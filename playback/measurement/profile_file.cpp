@@ -21,13 +21,13 @@ class Reader {
   /// The error of the line; empty if there is none.
   Message line(std::string_view key, std::string_view value) {
     const bool repeats = key == "resonance" || key == "equalizer";
-    if (!repeats && !seen_.insert(std::string(key)).second) return Message("is given twice");
+    if (!repeats && !seen_.insert(std::string(key)).second) return Message("this entry is given twice");
     if (key == "name") {
       profile.name = std::string(value);
       return {};
     }
     if (key == "sensor.circuit") return circuit(value);
-    if (!numbersOf(value, n_)) return Message("holds something that is not a number");
+    if (!numbersOf(value, n_)) return Message("the value holds something that is not a number");
     if (key == "gain") return take(1, [&] { profile.gain = n_[0]; });
     if (key == "full_scale_dB") return take(1, [&] { profile.fullScale_dB = n_[0]; });
     if (key == "resonance") return take(3, [&] { profile.resonances.push_back({n_[0], n_[1], n_[2]}); });
@@ -44,14 +44,14 @@ class Reader {
  private:
   template <class Action>
   Message take(std::size_t count, Action action) {
-    if (n_.size() != count) return Message("needs %1 numbers, has %2", count, n_.size());
+    if (n_.size() != count) return Message("this entry needs %1 numbers, but has %2", count, n_.size());
     action();
     return {};
   }
 
   Message circuit(std::string_view value) {
     const auto circuit = sensorCircuits.value(value);
-    if (!circuit) return Message("must be newtons, linear or divider");
+    if (!circuit) return Message("the value must be newtons, linear or divider");
     profile.sensor.circuit = *circuit;
     return {};
   }
@@ -70,19 +70,20 @@ class Reader {
   Message sensor(std::string_view key) {
     SensorCalibration& s = profile.sensor;
     if (key == "sensor.full_scale_counts") {
-      if (n_.size() == 1 && !(n_[0] > 0)) return Message("must be above 0");
+      if (n_.size() == 1 && !(n_[0] > 0)) return Message("the value must be above 0");
       return take(1, [&] { s.fullScale_counts = n_[0]; });
     }
     if (key == "sensor.coefficients") {
       if (n_.empty() || n_.size() > SensorCalibration::maxCoefficients)
-        return Message("needs 1 to 4 numbers");
+        return Message("this entry needs 1 to 4 numbers");
       s.coefficientCount = n_.size();
       s.coefficients = {};
       std::copy(n_.begin(), n_.end(), s.coefficients.begin());
       return {};
     }
     if (key == "sensor.standard_errors") {
-      if (n_.size() > SensorCalibration::maxCoefficients) return Message("needs at most 4 numbers");
+      if (n_.size() > SensorCalibration::maxCoefficients)
+        return Message("this entry can have at most 4 numbers");
       std::copy(n_.begin(), n_.end(), s.standardErrors.begin());
       return {};
     }
@@ -96,7 +97,7 @@ class Reader {
         s.highest_N = n_[1];
       });
     }
-    return Message("is not known");
+    return Message("this entry is not known");
   }
 
   std::set<std::string> seen_;

@@ -17,10 +17,10 @@ Message wrongWithFirst(std::string_view line, const ProfileKind& kind) {
   std::vector<double> version;
   if (!line.starts_with(kind.magic) || !numbersOf(line.substr(kind.magic.size()), version) ||
       version.size() != 1) {
-    return Message("%1 starts with \"%2 %3\"", kind.what, kind.magic, kind.version);
+    return Message("%1 must start with the line \"%2 %3\"", kind.what, kind.magic, kind.version);
   }
   if (version[0] <= kind.version) return {};
-  return Message("written by a newer Detent (version %1)", exact(version[0]));
+  return Message("a newer Detent wrote this file (version %1)", exact(version[0]));
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ Result<Done> readProfileLines(const std::string& text, const std::string& name, 
       continue;
     }
     const std::size_t equals = content.find('=');
-    if (equals == std::string_view::npos) return bad(Message("the line has no ="));
+    if (equals == std::string_view::npos) return bad(Message("the line has no \"=\""));
     const std::string_view key = trimmed(content.substr(0, equals));
     Message problem = line(key, trimmed(content.substr(equals + 1)));
     if (!problem.empty()) return bad(Message("%1 %2", key, std::move(problem)));

@@ -21,7 +21,7 @@ Failure badTrace(const std::string& name, Message place, Message problem) {
 
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name) {
   NumberTable table(text);
-  if (!table.next()) return badTrace(name, "", Message("is empty"));
+  if (!table.next()) return badTrace(name, "", Message("the file is empty"));
   PressTrace trace;
   const std::vector<std::string_view>& fields = table.fields();
   const bool inForce = table.is({"time_s", "force_N"});

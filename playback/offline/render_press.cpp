@@ -44,7 +44,7 @@ Failure tooLong(const PressTrace& trace) {
 Failure noneIsReading(const PressTrace& trace) {
   const bool force = trace.quantity == PressTrace::Quantity::force_N;
   return {FailureCode::unreadableInput, "press trace", "",
-          Message("none of its %1 readings can be used: each is out of range or not a number",
+          Message("none of the %1 readings can be used, because each is out of range or not a number",
                   trace.readings.size()),
           force ? Message("Give the forces of a pressing finger in N") : Message("Give displacements in mm")};
 }
@@ -53,7 +53,7 @@ Failure noneIsReading(const PressTrace& trace) {
 
 Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& s) {
   const auto wrong = [](Message what, double value, double least, double most) {
-    return Failure{FailureCode::wrongUsage, "render", std::move(what),
+    return Failure{FailureCode::wrongUsage, "rendered press", std::move(what),
                    Message("%1 lies outside %2 to %3", value, least, most),
                    Message("Give a value inside this range")};
   };
@@ -66,8 +66,8 @@ Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& s) {
     return wrong(Message("block length in samples"), static_cast<double>(s.block), 1, 8192);
   if (!(s.tail_s >= 0 && s.tail_s <= 60)) return wrong(Message("time after the press in s"), s.tail_s, 0, 60);
   if (trace.readings.empty()) {
-    return Failure{FailureCode::wrongUsage, "press trace", "", Message("contains no readings"),
-                   Message("Give at least one reading")};
+    return Failure{FailureCode::wrongUsage, "press trace", "",
+                   Message("the press trace contains no readings"), Message("Give at least one reading")};
   }
   if (trace.readings.front().time_s > longestRender_s) return tooLong(trace);
   return Done{};
@@ -157,7 +157,7 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
     while (engine->nextEvent(event)) summary.events.push_back(event);
     for (std::size_t i = 0; i < count; ++i) summary.peak = std::max(summary.peak, std::fabs(block[i]));
     if (settings.cancelled && settings.cancelled()) {
-      return Failure::cancelled("render");
+      return Failure::cancelled("rendered press");
     }
     if (!sink(block.data(), count)) break;
   }

@@ -68,7 +68,8 @@ Result<Summary> written(const std::filesystem::path& file, double sampleRate_Hz,
                    Message("Give --bits 16 or 24, or a .wav file")};
   }
   if (info.format == 0) {
-    return Failure{FailureCode::wrongUsage, file.string(), "", Message("is neither .wav nor .flac"),
+    return Failure{FailureCode::wrongUsage, file.string(), "",
+                   Message("the file name ends in neither .wav nor .flac"),
                    Message("Give a file that ends in .wav or .flac")};
   }
   auto draft = StagedFile::beside(file);
@@ -148,9 +149,9 @@ namespace {
 Message whyNotRead() {
   std::string why = sf_strerror(nullptr);
   if (why.find("nternal error") != std::string::npos)
-    return Message("is not a readable sound file: its header is damaged");
+    return Message("this is not a readable sound file: its header is damaged");
   while (why.ends_with('.')) why.pop_back();
-  return Message("is not a readable sound file: %1", why);
+  return Message("this is not a readable sound file: %1", why);
 }
 
 // share of the energy that the mean would have if only the strongest channel had sound
@@ -184,23 +185,24 @@ Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double lon
   SoundFile in(sf_open(file.c_str(), SFM_READ, &info));
   if (!in) return refuse(whyNotRead(), Message("Give a WAV file"));
   if (info.samplerate < 8000 || info.samplerate > 192000)
-    return refuse(Message("has %1 samples a second", info.samplerate),
+    return refuse(Message("the sound file has %1 samples a second", info.samplerate),
                   Message("Give a rate from 8000 to 192000"));
   if (info.channels < 1 || info.channels > mostChannels)
-    return refuse(Message("has %1 channels", info.channels), Message("Give at most %1", mostChannels));
+    return refuse(Message("the sound file has %1 channels", info.channels),
+                  Message("Give at most %1", mostChannels));
   const auto frames = static_cast<double>(info.frames);
-  if (!(frames >= 1)) return refuse(Message("holds no sample"), Message("Give a longer file"));
+  if (!(frames >= 1)) return refuse(Message("the sound file holds no sample"), Message("Give a longer file"));
   if (frames > longest_s * info.samplerate)
-    return refuse(Message("lasts %1 s", frames / info.samplerate),
+    return refuse(Message("the file lasts %1 s", frames / info.samplerate),
                   Message("Give a file of at most %1 s", longest_s));
   std::vector<float> interleaved(static_cast<std::size_t>(info.frames) *
                                  static_cast<std::size_t>(info.channels));
   if (sf_readf_float(in.get(), interleaved.data(), info.frames) != info.frames)
-    return refuse(Message("is cut off"), Message("Export the file again"));
+    return refuse(Message("the file is cut off"), Message("Export the file again"));
   const auto channels = static_cast<std::size_t>(info.channels);
   for (std::size_t i = 0; i < interleaved.size(); ++i)
     if (!(std::fabs(interleaved[i]) < 1e9F))
-      return refuse(Message("has a sample that is not a number: sample %1", i / channels + 1),
+      return refuse(Message("sample %1 of the sound file is not a number", i / channels + 1),
                     Message("Export the file again"));
   SoundSamples sound{
       static_cast<double>(info.samplerate), info.channels, onlyChannelOf(interleaved, channels), {}};

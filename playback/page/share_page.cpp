@@ -97,12 +97,14 @@ bool hasPageEngine() { return !page_parts::engine.empty(); }
 
 Result<std::string> sharePage(const std::vector<Button>& buttons) {
   if (!hasPageEngine())
-    return unusable(Message("this build of Detent cannot make a web page to press buttons on"),
-                    Message("Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and "
-                            "libclang-rt-14-dev-wasm32, then configure and build anew"));
+    return unusable(
+        Message("this build of Detent cannot make a web page on which buttons can be pressed"),
+        Message("Install a build of Detent that can make web pages. If you build Detent yourself, first "
+                "install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32"));
   if (buttons.empty() || buttons.size() > mostButtons)
-    return unusable(Message("a page holds 1 to %1 buttons, not %2", mostButtons, buttons.size()),
-                    Message("Name fewer buttons, or make several pages"));
+    return unusable(
+        Message("a web page can hold 1 to %1 buttons, but %2 were given", mostButtons, buttons.size()),
+        Message("Name fewer buttons, or make several pages"));
   Json list = Json::array();
   for (std::size_t i = 0; i < buttons.size(); ++i) {
     Result<Json> button = described(buttons[i], i);

@@ -60,7 +60,7 @@ Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
                {"speed limit in mm/s", d.limits.speed_mm_per_s, 1, 1e5}};
   for (const auto& rule : rules) {
     if (rule.value >= rule.least && rule.value <= rule.most) continue;
-    return outOfRange(rule.name, {}, Message("is %1", rule.value),
+    return outOfRange(rule.name, {}, Message("the value is %1", rule.value),
                       Message("Give a value from %1 to %2", rule.least, rule.most));
   }
   return Done{};
@@ -545,14 +545,14 @@ Result<Done> checkTravel(const ButtonState& state, const ForceDeviceProfile& dev
                reach_mm = device.limits.highest_mm;
   if (!(travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm)) {
     return outOfRange(
-        "travel of the button", place, Message("is %1", millimetres(travel_mm)),
+        "travel of the button", place, Message("the value is %1", millimetres(travel_mm)),
         Message("A force device can produce %1 to %2; scale the button (edit it, or convert its graph)",
                 millimetres(shortestTravel_mm), millimetres(longestTravel_mm)));
   }
   if (end_mm > reach_mm) {
     return outOfRange(
         "travel of the button", place,
-        Message("ends at %1, but %2 reaches only %3", millimetres(end_mm), device.name,
+        Message("the travel ends at %1, but %2 reaches only %3", millimetres(end_mm), device.name,
                 millimetres(reach_mm)),
         Message("Choose a device that reaches farther, or scale the button (edit it, or convert its graph)"));
   }

@@ -79,8 +79,8 @@ class HapticPreparation {
     for (std::size_t i = 0; i < p.stateCount; ++i) prepareState(button_.states()[i], p.states[i]);
     if (!drowned_.empty()) {
       warn(PrepareWarningCode::clickDrowned,
-           Message("at the levels of the published method, the click at %2 is masked: slope or bottom-out is "
-                   "over %1 dB stronger. Use --feel clear to keep the click",
+           Message("with the levels of the published method, the click at %2 cannot be felt, because the "
+                   "slope or the bottom-out is more than %1 dB stronger. Use --feel clear to keep the click",
                    drownedBelow_dB, drowned_));
     }
     return std::move(prepared_);
@@ -630,10 +630,10 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
       !gain)
     return gain;
   if (profile.equalizer.size() > maxEqualizerBands) {
-    return Failure{
-        FailureCode::wrongUsage, "device profile", "equalizer",
-        Message("has %1 bands, but at most %2 are allowed", profile.equalizer.size(), maxEqualizerBands),
-        Message("Keep the strongest bands")};
+    return Failure{FailureCode::wrongUsage, "device profile", "equalizer",
+                   Message("the equalizer has %1 bands, but at most %2 are allowed", profile.equalizer.size(),
+                           maxEqualizerBands),
+                   Message("Keep only the strongest bands")};
   }
   for (const EqualizerBand& band : profile.equalizer) {
     if (Result<Done> ok =

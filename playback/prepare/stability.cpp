@@ -245,8 +245,8 @@ Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfil
         allowedFor(device, limitsOf(state, device, rate_Hz).least_N_per_mm()).allowed_N_per_mm;
     if (allowed < leastAllowed_N_per_mm) {
       return Failure{FailureCode::wrongUsage, device.name, "",
-                     Message("has so little friction or damping that no button is stable on it"),
-                     Message("Give its friction and damping, or choose another device")};
+                     Message("the device has so little friction or damping that no button is stable on it"),
+                     Message("Give the friction and the damping of the device, or choose another device")};
     }
     Result<ForceGraph> graph = limited(state.graph, limitedTo * allowed, change);
     if (!graph) return graph.failure();

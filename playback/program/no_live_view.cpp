@@ -4,8 +4,9 @@
 namespace detent::playback {
 
 int runLive(const LiveArguments&, const std::vector<Button>&, const DeviceProfile&, const Cancelled&) {
-  return fail({FailureCode::deviceTrouble, "live playback", "", "is not part of this build",
-               "Build with -DDETENT_WITH_DEVICE=ON, or use `detent-play render`"});
+  return fail({FailureCode::deviceTrouble, "live playback", "", "this build of Detent has no live playback",
+               "Install a build of Detent with live playback, or write the vibration to a sound file with "
+               "`detent-play render`"});
 }
 
 }  // namespace detent::playback

@@ -96,20 +96,24 @@ Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings)
     return Failure{FailureCode::wrongUsage, "force device", "", std::move(problem), remedy};
   };
   if (!settings.sensorPort.empty())
-    return wrong(Message("presses on its own; a sensor would be a second finger"),
-                 Message("Use only one of the two"));
+    return wrong(Message("on a force device, the participant presses the device itself, so a force sensor "
+                         "cannot be used as well"),
+                 Message("Use either the force device or the force sensor"));
   if (settings.force->uploadTable)
     return wrong(
-        Message("would play only the button that was uploaded, but a study switches between buttons"),
-        Message("Choose the device without uploading a table"));
+        Message(
+            "the device would play only the button that was uploaded, but a study switches between buttons"),
+        Message("Switch the upload of the force table off"));
   const bool modes = std::any_of(study.stimuli.begin(), study.stimuli.end(),
                                  [](const StudyStimulus& s) { return s.mode != FeedbackMode::full; });
   const LevelQuantity quantity = study.design.quantity;
   const bool vibration = study.design.kind == StudyKind::threshold &&
                          (quantity == LevelQuantity::eventSize || quantity == LevelQuantity::grainStrength);
   if (modes || vibration)
-    return wrong(Message("produces forces, but this study compares what only a vibration has"),
-                 Message("Leave the force device out, or make a study of the mode full"));
+    return wrong(
+        Message(
+            "a force device produces forces, but this study compares properties that only a vibration has"),
+        Message("Do not use the force device, or make a study that has only the mode full"));
   for (const StudyStimulus& stimulus : study.stimuli) {
     const Result<PreparedForce> prepared =
         prepareForce(study.buttons[stimulus.button].button, settings.force->profile);
@@ -371,7 +375,8 @@ Result<std::unique_ptr<StudyPlayer>> StudyPlayer::start(const Study& study,
   auto made = std::make_unique<Player>(study, *std::move(stimuli), *std::move(player), heard,
                                        std::move(force), settings);
   if (!made->runs())
-    return Failure{FailureCode::deviceTrouble, settings.sensorPort, "", Message("sends no readings"),
+    return Failure{FailureCode::deviceTrouble, settings.sensorPort, "",
+                   Message("the force sensor sends no readings"),
                    Message("Check the sensor, its cable and the speed of the port")};
   return std::unique_ptr<StudyPlayer>(std::move(made));
 }

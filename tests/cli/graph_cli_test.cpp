@@ -164,11 +164,11 @@ TEST_CASE("failures: code, one sentence, nothing written, no old file lost") {
   graph.write("old.csv", "kept");
   const auto before = graph.files();
   const std::vector<std::tuple<std::string, int, std::string>> cases = {
-      {"missing.button.json", 3, "missing.button.json: does not exist."},
+      {"missing.button.json", 3, "missing.button.json: the file does not exist."},
       {"broken.button.json", 3, "broken.button.json, line 3, column 3: is not valid JSON"},
       {"newer.button.json", 3, "newer.button.json, version: is 99; this program reads versions up to "},
       {"rows.csv", 3, "rows.csv, line 2: force \"nan\" is not a usable number."},
-      {"empty.csv", 4, "empty.csv: has a header but no rows."},
+      {"empty.csv", 4, "empty.csv: the file has a header but no rows."},
       {"notes.txt", 2, "notes.txt: does not end in .button.json, .csv or .svg."},
       {"plot.svg", 2, "plot.svg: is a picture"}};
   for (const auto& [file, code, sentence] : cases) {
@@ -197,7 +197,8 @@ TEST_CASE("outputs that cannot be written") {
   CHECK(graph({"convert", "A.button.json", "no/folder/a.csv"}).exitCode == 2);
   CHECK(graph({"convert", "A.button.json", "a.txt"}).exitCode == 2);
   std::filesystem::create_directory(graph.path() / "folder.csv");
-  CHECK_THAT(graph({"convert", "A.button.json", "folder.csv"}).err, Catch::Contains("it is a folder"));
+  CHECK_THAT(graph({"convert", "A.button.json", "folder.csv"}).err,
+             Catch::Contains("this is a folder, not a file"));
 }
 
 TEST_CASE("wrong usage is exit 2, help is exit 0 and states units and defaults") {

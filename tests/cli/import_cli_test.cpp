@@ -377,7 +377,7 @@ TEST_CASE("Of several switches in one plot --curve takes one, by name or number"
   CHECK(json::parse(unasked.out)["reason"] == "several-switches");
   CHECK(json::parse(unasked.out)["curves"] == curves);
   const json question = json::parse(unasked.out)["question"];
-  CHECK(question["what"] == "which of the switches");
+  CHECK(question["what"] == "which switch should be read");
   REQUIRE(question["choices"].size() == 2);
   CHECK(question["choices"][0] == json{{"text", "Brown (#c8102e)"}, {"option", "--curve 1"}});
   CHECK(question["choices"][1] == json{{"text", "Red (#2e8b37)"}, {"option", "--curve 2"}});

@@ -71,8 +71,8 @@ TEST_CASE("knots move between their neighbours and keep their slopes") {
   const StrokeCurve moved = require(moveKnot(tactileCurve(), 2, {1.2, 0.65}));
   CHECK(moved.force_N(1.2) == 0.65);
   CHECK(moved.knots()[2].slopeAfter_N_per_mm == tactileCurve().knots()[2].slopeAfter_N_per_mm);
-  requireEditRefusal(moveKnot(tactileCurve(), 2, {1.7, 0.6}), "its neighbour is at 1.6 mm");
-  requireEditRefusal(moveKnot(tactileCurve(), 9, {1, 1}), "has no point 10, only 6 points");
+  requireEditRefusal(moveKnot(tactileCurve(), 2, {1.7, 0.6}), "its neighbour at 1.6 mm");
+  requireEditRefusal(moveKnot(tactileCurve(), 9, {1, 1}), "has no point 10, because it has only 6 points");
   requireEditRefusal(moveKnot(tactileCurve(), 2, {notANumber, 0.6}), "not a usable number");
 }
 
@@ -105,9 +105,9 @@ TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
     while (inserted->knots()[index].displacement_mm != x) ++index;
     RC_ASSERT(removeKnot(*inserted, index).value() == curve);
   });
-  requireEditRefusal(insertKnot(tactileCurve(), 1), "is already at 1 mm");
-  requireEditRefusal(insertKnot(tactileCurve(), 0), "has no place");
-  requireEditRefusal(insertKnot(tactileCurve(), notANumber), "has no place");
+  requireEditRefusal(insertKnot(tactileCurve(), 1), "already is a curve point at 1 mm");
+  requireEditRefusal(insertKnot(tactileCurve(), 0), "no point can be added");
+  requireEditRefusal(insertKnot(tactileCurve(), notANumber), "no point can be added");
   requireEditRefusal(removeKnot(curveThrough({{0, 0}, {1, 1}}), 0), "needs 2 points");
 }
 
@@ -190,8 +190,9 @@ TEST_CASE("a tactile point goes exactly where it is moved and stays the only one
   requireEditRefusal(moveTactilePoint(curve, Stroke::press, 0, {1.7, 0.6}),
                      "it must stay between 0 mm and 1.6 mm");
   requireEditRefusal(moveTactilePoint(curve, Stroke::press, 0, {1, 0.35}),
-                     "would no longer be a peak or valley at 0.35 N");
-  requireEditRefusal(moveTactilePoint(curve, Stroke::press, 1, {1, 0.6}), "has no tactile point 2, only 1");
+                     "with the force 0.35 N, the point would no longer be a peak or valley");
+  requireEditRefusal(moveTactilePoint(curve, Stroke::press, 1, {1, 0.6}),
+                     "has no tactile point 2, because it has only 1");
   requireEditRefusal(moveTactilePoint(curve, Stroke::press, 0, {notANumber, 0.6}), "cannot move to nan mm");
 }
 
@@ -317,7 +318,7 @@ TEST_CASE("jumps are added and removed on both strokes") {
       require(addJump(require(addJump(line, Stroke::press, {1, 0.4, 0.2})), Stroke::press, {2.5, 0.4, 0.2}));
   CHECK(tactilePoints(two, Stroke::press).size() == 2);
   requireEditRefusal(addJump(line, Stroke::press, {3.8, 0.6, 0.2}), "leaves the curve");
-  requireEditRefusal(addJump(line, Stroke::press, {2, -1, 0.2}), "has width -1 mm");
+  requireEditRefusal(addJump(line, Stroke::press, {2, -1, 0.2}), "has the width -1 mm");
   requireEditRefusal(addJump(line, Stroke::press, {2, 0.6, notANumber}), "drop nan N");
   requireEditRefusal(addJump(curveThrough({{0, 1}, {4, 0}}), Stroke::press, {2, 0.6, 0.2}), "does not rise");
 }
@@ -345,7 +346,7 @@ TEST_CASE("mirroring: release lies below press by the hysteresis and never below
   requireEditRefusal(mirrorPressToRelease(graph, -1), "hysteresis");
   CHECK_FALSE(require(removeRelease(mirrored)).release().has_value());
   requireEditRefusal(editStroke(graph, Stroke::release, [](const StrokeCurve& c) { return makeLinear(c); }),
-                     "does not exist");
+                     "there is no release curve");
 }
 
 TEST_CASE("scaling scales everything that has the unit") {
@@ -394,7 +395,7 @@ TEST_CASE("a state is added as a copy and taken away again") {
   CHECK(twoStates.states()[0].name == "unlocked");
   CHECK(twoStates.states()[1].name == "locked");
   CHECK(twoStates.states()[1].graph == momentary.states()[0].graph);
-  requireEditRefusal(addState(twoStates, 0), "two states already");
+  requireEditRefusal(addState(twoStates, 0), "already has two states");
   const Button left = require(removeState(twoStates, 0));
   REQUIRE(left.states().size() == 1);
   CHECK(left.states()[0].name == "locked");

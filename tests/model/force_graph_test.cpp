@@ -70,7 +70,7 @@ TEST_CASE("buttons outside the rules are refused by state and value") {
   damped.damping = {{0, 0.1}, {1, -0.1}};
   requireRefusal(Button::fromStates("b", {damped}), "damping point 2: damping -0.1");
   damped.damping = {{1, 0.1}, {1, 0.1}};
-  requireRefusal(Button::fromStates("b", {damped}), "does not increase");
+  requireRefusal(Button::fromStates("b", {damped}), "is not above that of the previous point");
   Provenance provenance;
   provenance.confidence = std::numeric_limits<double>::infinity();
   requireRefusal(Button::fromStates("b", {plain}, provenance), "provenance");

@@ -98,8 +98,9 @@ TEST_CASE("vertical pieces survive, also at both ends and through many points") 
 TEST_CASE("points that are no stroke are refused with their number") {
   const auto back = curveThroughDensePoints({{0, 0}, {1, 1}, {0.5, 1}}, 1e-4);
   REQUIRE_FALSE(back.ok());
-  CHECK_THAT(back.failure().sentence(),
-             Catch::Contains("point 3: at 0.5 mm goes back behind the previous point at 1 mm"));
+  CHECK_THAT(
+      back.failure().sentence(),
+      Catch::Contains("point 3: the displacement 0.5 mm lies before that of the previous point, 1 mm"));
   const auto spike = curveThroughDensePoints({{0, 0}, {1, 0}, {1, 2}, {1, 1}, {2, 1}}, 1e-4);
   REQUIRE_FALSE(spike.ok());
   CHECK_THAT(spike.failure().sentence(),

@@ -50,9 +50,9 @@ TEST_CASE("two to four speeds, each stated once and usable, the others rising") 
     CHECK_THAT(button.failure().sentence(), Catch::Contains(part));
     CHECK_FALSE(button.failure().remedies.empty());
   };
-  refused({20}, "states the speed 20 mm/s, but has no graph at another speed");
-  refused({20, 30, 40, 50, 60}, "has graphs at 5 speeds. Keep two to four");
-  refused({20, 20}, "states the speed 20 mm/s twice");
+  refused({20}, "gives the speed 20 mm/s, but has no graph at another speed");
+  refused({20, 30, 40, 50, 60}, "has graphs at 5 speeds, which are too many. Keep two to four");
+  refused({20, 20}, "has two graphs at the speed 20 mm/s");
   refused({20, 50, 40}, "speed 40 mm/s is not above the previous speed 50 mm/s");
   refused({20, 50, 50}, "is not above");
   for (const double speed :
@@ -62,8 +62,7 @@ TEST_CASE("two to four speeds, each stated once and usable, the others rising") 
   }
   ButtonState nameless = stateWith({20, 50});
   nameless.speed_mm_per_s.reset();
-  CHECK_THAT(buttonWith(nameless).failure().sentence(),
-             Catch::Contains("states no speed for its main graph"));
+  CHECK_THAT(buttonWith(nameless).failure().sentence(), Catch::Contains("gives no speed for its main graph"));
 }
 
 TEST_CASE("the graphs of one button have the same strokes, travel and points") {
@@ -75,10 +74,10 @@ TEST_CASE("the graphs of one button have the same strokes, travel and points") {
     CHECK_THAT(button.failure().sentence(), Catch::Contains(part));
   };
   refused(*removeRelease(graphWith(0.6, 0.3)),
-          "state 1, 50 mm/s: has no release, but the graph at 20 mm/s has one");
-  refused(
-      *scaleTravel(graphWith(0.6, 0.3), 1.06),
-      "one end of the press lies at 4.24 mm, but at 4 mm in the graph of 20 mm/s: more than 0.2 mm apart");
+          "state 1, 50 mm/s: this graph has no release, but the graph at 20 mm/s has one");
+  refused(*scaleTravel(graphWith(0.6, 0.3), 1.06),
+          "one end of the press lies at 4.24 mm, but in the graph of 20 mm/s it lies at 4 mm; the two may "
+          "differ by 0.2 mm at most");
   refused(graphOf({{0, 0}, {4, 1}}, {{0.3, 0}, {4, 1}}), "one end of the release lies at 0.3 mm");
   ButtonState near = stateWith({20, 50});
   near.otherSpeeds[0].graph = *scaleTravel(graphWith(0.6, 0.3), 1.04);
@@ -94,10 +93,12 @@ TEST_CASE("the graphs of one button have the same strokes, travel and points") {
   CHECK(Button::fromStates("l", states).ok());
   states[1].otherSpeeds[0].speed_mm_per_s = 60;
   CHECK_THAT(Button::fromStates("l", states).failure().sentence(),
-             Catch::Contains("\"locked\": has graphs at other speeds than state \"unlocked\""));
+             Catch::Contains(
+                 "\"locked\": the graphs of this state have other speeds than those of state \"unlocked\""));
   states[1].speed_mm_per_s = 50, states[1].otherSpeeds = {{20, states[1].graph}};
   CHECK_THAT(Button::fromStates("l", states).failure().sentence(),
-             Catch::Contains("\"locked\": states the speed 50 mm/s, but state \"unlocked\" states 20 mm/s"));
+             Catch::Contains("\"locked\": the main graph of this state has the speed 50 mm/s, but that of "
+                             "state \"unlocked\" has 20 mm/s"));
   states[1].speed_mm_per_s.reset();
   states[1].otherSpeeds.clear();
   CHECK_FALSE(Button::fromStates("l", states).ok());

@@ -108,14 +108,14 @@ TEST_CASE("an inflection is no extremum") {
 TEST_CASE("what is no curve is refused with its rule, place and value") {
   requireCurveRefusal({}, "at least 2");
   requireCurveRefusal({{0, 1, 0, 0}}, "has 1 points");
-  requireCurveRefusal({{0, 1, 0, 0}, {0, 2, 0, 0}}, "zero travel");
+  requireCurveRefusal({{0, 1, 0, 0}, {0, 2, 0, 0}}, "no travel");
   requireCurveRefusal({{0, 1, 0, 0}, {1, curveNotANumber, 0, 0}}, "curve point 2: force is nan");
   requireCurveRefusal({{0, 1, 0, infinity}, {1, 1, 0, 0}}, "curve point 1: slope after is inf");
   requireCurveRefusal({{0, 1, 0, 0}, {2, 1, 0, 0}, {1.5, 1, 0, 0}}, "1.5 mm lies before");
   requireCurveRefusal({{0, 1, 0, 0}, {1, 1, 0, 0}, {1, 2, 0, 0}, {1, 3, 0, 0}}, "third point");
   requireCurveRefusal({{0, 0, 0, 0}, {1e-310, 1e6, 0, 0}, {1, 0, 0, 0}}, "piece 1");
   requireCurveRefusal({{0, 0, 0, 1e308}, {1, 1e6, 1e308, 0}}, "is too steep");
-  requireCurveRefusal(std::vector<Knot>(StrokeCurve::maxKnots + 1), "more than the 100000");
+  requireCurveRefusal(std::vector<Knot>(StrokeCurve::maxKnots + 1), "at most 100000 are allowed");
 }
 
 TEST_CASE("extremes: tiny travel, tiny and huge forces") {

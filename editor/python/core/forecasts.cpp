@@ -81,7 +81,7 @@ std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& can
 
 std::string performanceOf(const std::vector<Button>& buttons, const std::optional<double>& operateAt_mm,
                           const Cancelled& cancelled) {
-  if (buttons.empty()) tooFew("performance", "needs a button", "Give one or more");
+  if (buttons.empty()) tooFew("performance", "needs a button", "Give one button or more");
   playback::ForecastSettings settings;
   settings.operateAt_mm = operateAt_mm;
   std::vector<std::string> list;

@@ -44,7 +44,7 @@ bool JournalText::isForeign() const {
 
 Failure notAJournal(const std::filesystem::path& file) {
   return {FailureCode::unreadableInput, file.string(), Message("line 1"),
-          Message("is not a journal of a study"), Message("Move this file out of the study")};
+          Message("the file is not a journal of a study"), Message("Move this file out of the study")};
 }
 
 JournalText splitJournal(const std::string& text) {
@@ -58,11 +58,11 @@ JournalText splitJournal(const std::string& text) {
 
 Result<LineJournal> LineJournal::open(const std::filesystem::path& file) {
   LineJournal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, rights));
-  if (journal.descriptor_ < 0) return journalTrouble(file, Message("cannot be opened"), errno);
+  if (journal.descriptor_ < 0) return journalTrouble(file, Message("the journal cannot be opened"), errno);
   if (::flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK) return journalTrouble(file, Message("cannot be locked"), errno);
+    if (errno != EWOULDBLOCK) return journalTrouble(file, Message("the journal cannot be locked"), errno);
     return Failure{FailureCode::unreadableInput, file.string(), "",
-                   Message("is being written by another process"),
+                   Message("another program is writing this journal"),
                    Message("End that session first, or give another participant's id")};
   }
   writeFolderToDisk(file);
@@ -75,7 +75,7 @@ Result<Done> LineJournal::readAndCut() {
   for (std::string chunk(chunk_bytes, '\0');;) {
     const ssize_t got = ::read(descriptor_, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return journalTrouble(file_, Message("cannot be read"), errno);
+    if (got < 0) return journalTrouble(file_, Message("the journal cannot be read"), errno);
     if (got == 0) break;
     text.append(chunk, 0, static_cast<std::size_t>(got));
   }
@@ -83,7 +83,7 @@ Result<Done> LineJournal::readAndCut() {
   if (opened_.isForeign()) return notAJournal(file_);
   length_bytes_ = static_cast<std::int64_t>(text.size() - opened_.unfinished.size());
   if (!opened_.unfinished.empty() && ::ftruncate(descriptor_, length_bytes_) != 0)
-    return journalTrouble(file_, Message("cannot be shortened to its last complete line"), errno);
+    return journalTrouble(file_, Message("the journal cannot be shortened to its last complete line"), errno);
   return Done{};
 }
 
@@ -96,7 +96,7 @@ Result<Done> LineJournal::append(const std::string& line) {
   }
   // If even this fails, the incomplete line is removed when the journal is opened again.
   if (::ftruncate(descriptor_, length_bytes_) == 0) ::fdatasync(descriptor_);
-  return journalTrouble(file_, Message("could not be extended by one line"), error);
+  return journalTrouble(file_, Message("a line could not be added to the journal"), error);
 }
 
 LineJournal::~LineJournal() {

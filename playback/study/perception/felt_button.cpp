@@ -99,7 +99,7 @@ Result<FeltButton> feel(const Button& button, const PerceptionSettings& settings
     felt.states.emplace_back();
     for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
       if (cancelled && cancelled())
-        return Failure{FailureCode::wrongUsage, button.name(), "", Message("was cancelled"),
+        return Failure{FailureCode::wrongUsage, button.name(), "", Message("the step was cancelled"),
                        Message("Start the step again")};
       Result<FeltPress> press = feelPress(program, i, settings);
       if (!press) return press.failure();

@@ -31,14 +31,15 @@ Failure noStation(Message problem, const Message& remedy) {
 
 Result<Done> checkForBrowsers(const Study& study) {
   if (!hasStation())
-    return noStation(Message("this build of Detent cannot make a web page to press buttons on"),
-                     Message("Install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and "
-                             "libclang-rt-14-dev-wasm32, then configure and build anew"));
+    return noStation(
+        Message("this build of Detent cannot make a web page on which buttons can be pressed"),
+        Message("Install a build of Detent that can make web pages. If you build Detent yourself, first "
+                "install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32"));
   if (!study.sites.empty())
     return noStation(Message("this is the merged study of several sites: nobody answers in it"),
                      Message("Name the study of one site"));
   if (study.design.kind == StudyKind::timing)
-    return noStation(Message("a timing study needs times that a browser does not give"),
+    return noStation(Message("a timing study needs exact times, which a browser does not give"),
                      Message("Run the study with detent-play study run or in detent-edit"));
   if (study.profile)
     return noStation(Message("the study was made for a device profile, and a browser's device is unknown"),
@@ -67,8 +68,9 @@ Result<std::string> originOf(const std::string& address) {
 /// Records of the page's participants, each with a place: the planned one, or one after all who have begun.
 Result<std::vector<ParticipantRecord>> newPeople(const Study& study, const std::vector<std::string>& ids) {
   if (ids.empty() || ids.size() > mostPeople)
-    return noStation(Message("a page is for 1 to %1 participants, not %2", mostPeople, ids.size()),
-                     Message("Name the participants with --participants, separated by commas"));
+    return noStation(
+        Message("a web page is for 1 to %1 participants, but %2 were given", mostPeople, ids.size()),
+        Message("Name the participants with --participants, separated by commas"));
   const Result<PlannedPlaces> plan = placesOf(study.folder);
   if (!plan) return plan.failure();
   const Result<std::vector<ParticipantRecord>> begun = readParticipants(study);
@@ -79,10 +81,12 @@ Result<std::vector<ParticipantRecord>> newPeople(const Study& study, const std::
     Result<ParticipantRecord> person = ParticipantSession::toOpen(study, id, SessionStart{});
     if (!person) return person.failure();
     if (!person->plan.empty())
-      return noStation(Message("%1 has begun already", id), Message("Give another participant id"));
+      return noStation(Message("the participant %1 has begun already", id),
+                       Message("Give another participant id"));
     if (!spoken.insert(spokenId(id)).second)
-      return noStation(Message("%1 is named twice, or is too similar to another id", id),
-                       Message("Give ids that sound different when read aloud"));
+      return noStation(
+          Message("the participant %1 is named twice, or the id is too similar to another one", id),
+          Message("Give ids that sound different when read aloud"));
     person->place = placeOf(*plan, id, begun->size() + people.size());
     person->plan = planTrials(study, id, person->place);
     people.push_back(*std::move(person));

@@ -51,10 +51,10 @@ Result<ConsentText> readConsent(const std::string& file) {
   Result<std::string> text = readTextFile(file);
   if (!text) return text.failure();
   if (!isUtf8(*text))
-    return Failure{FailureCode::unreadableInput, file, "", Message("is not UTF-8"),
-                   Message("Save it as UTF-8")};
+    return Failure{FailureCode::unreadableInput, file, "", Message("the file is not encoded as UTF-8"),
+                   Message("Save the file as UTF-8 text")};
   if (text->find_first_not_of(" \t\r\n") == std::string::npos)
-    return Failure{FailureCode::unreadableInput, file, "", Message("is empty"),
+    return Failure{FailureCode::unreadableInput, file, "", Message("the file is empty"),
                    Message("Write the text that participants are asked to agree to")};
   const std::string hash = sha256Hex(*text);
   return ConsentText{languageOf(file), *std::move(text), hash};
@@ -67,7 +67,7 @@ Result<Done> writeConsents(const fs::path& folder, const std::vector<ConsentText
     const fs::path file = fileFor(folder, text.language);
     if (!languages.insert(text.language).second)
       return Failure{FailureCode::wrongUsage, Subject::option("--consent"), "",
-                     Message("gives two texts for %1", file.filename().string()),
+                     Message("there are two consent texts for %1", file.filename().string()),
                      Message("Give one text for each language: NAME.en.txt, NAME.de.txt")};
     if (Result<Done> ok = writeTextFileAtomically(file.string(), text.text); !ok) return ok;
   }
@@ -81,7 +81,8 @@ Result<ConsentText> consentIn(const fs::path& folder, const std::string& languag
   if (found) found->language = language;
   if (found || fs::exists(fileFor(folder, ""), error) || fs::exists(own, error)) return found;
   return Failure{
-      FailureCode::unreadableInput, folder.string(), "", Message("has no consent text in \"%1\"", language),
+      FailureCode::unreadableInput, folder.string(), "",
+      Message("the folder has no consent text in the language \"%1\"", language),
       Message("Put the file %1 into this folder, or choose another language", own.filename().string())};
 }
 

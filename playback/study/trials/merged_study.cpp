@@ -60,17 +60,19 @@ Result<Study> openSites(const std::vector<std::string>& sites, const fs::path& f
     const Result<Study> study = openStudy(siteFolder(folder, site));
     if (!study) return study.failure();
     if (!study->sites.empty())
-      return cannotMerge(siteFolder(folder, site), Message("is a merged study itself"),
+      return cannotMerge(siteFolder(folder, site), Message("this study is already a merged study"),
                          Message("Merge the studies of its sites"));
     if (!comparable(*merged, *study))
-      return cannotMerge(siteFolder(folder, site),
-                         Message("asks for other answers, or for other buttons, than \"%1\"", sites.front()),
-                         Message("Merge copies of one study"));
+      return cannotMerge(
+          siteFolder(folder, site),
+          Message("this study has other questions or other buttons than \"%1\"", sites.front()),
+          Message("Merge copies of one study"));
     if (merged->unfinished != study->unfinished)
       return cannotMerge(
           siteFolder(folder, site),
-          Message("was planned with another rule for participants who did not finish than \"%1\"",
-                  sites.front()),
+          Message(
+              "the plan of this study treats participants who did not finish differently from that of \"%1\"",
+              sites.front()),
           Message("Merge studies of one plan"));
   }
   merged->folder = folder;
@@ -83,12 +85,12 @@ Result<Study> mergeStudies(const std::vector<fs::path>& studies, std::vector<std
                            const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error))
-    return cannotMerge(folder, Message("exists already"),
+    return cannotMerge(folder, Message("the folder exists already"),
                        Message("Name a new folder; a study is never overwritten"));
   if (sites.empty())
     for (const fs::path& study : studies) sites.push_back(fs::weakly_canonical(study).filename().string());
   if (sites.size() != studies.size())
-    return cannotMerge(folder, Message("%1 names for %2 studies", sites.size(), studies.size()),
+    return cannotMerge(folder, Message("there are %1 names for %2 studies", sites.size(), studies.size()),
                        Message("Give --sites one name for each study"));
   if (Result<Done> ok = checkSites(sites, folder); !ok) return ok.failure();
   fs::path draft = folder;
@@ -97,10 +99,11 @@ Result<Study> mergeStudies(const std::vector<fs::path>& studies, std::vector<std
   fs::create_directories(draft / "sites", error);
   for (std::size_t i = 0; i < studies.size() && !error; ++i)
     fs::copy(studies[i], siteFolder(draft, sites[i]), fs::copy_options::recursive, error);
-  Result<Study> study = error ? Result<Study>(Failure{FailureCode::unreadableInput, folder.string(), "",
-                                                      Message("cannot be created (%1)", error.message()),
-                                                      Message("Check the folders and the free space")})
-                              : openSites(sites, draft);
+  Result<Study> study =
+      error ? Result<Study>(Failure{FailureCode::unreadableInput, folder.string(), "",
+                                    Message("the folder cannot be created (%1)", error.message()),
+                                    Message("Check the folders and the free space")})
+            : openSites(sites, draft);
   if (study) {
     const nlohmann::ordered_json json{{"format", "detent-merged-study"}, {"version", 1}, {"sites", sites}};
     const Result<Done> written =
@@ -108,8 +111,8 @@ Result<Study> mergeStudies(const std::vector<fs::path>& studies, std::vector<std
     if (written) fs::rename(draft, folder, error);
     if (written && !error) return openStudy(folder);
     study = written ? Failure{FailureCode::unreadableInput, folder.string(), "",
-                              Message("cannot be created (%1)", error.message()),
-                              Message("Check the folder above it")}
+                              Message("the folder cannot be created (%1)", error.message()),
+                              Message("Check the folder in which it should be created")}
                     : written.failure();
   }
   fs::remove_all(draft, error);

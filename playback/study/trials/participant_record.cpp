@@ -95,7 +95,7 @@ class Replay {
     ++line_;
     const std::optional<SplitLine> split = splitLine(line);
     if (!split || chainOf(chain_, split->body) != split->chain)
-      return wrong(Message("was changed by hand, or an earlier line was"),
+      return wrong(Message("this line or an earlier one was changed by hand"),
                    Message("Restore the journal from a copy; its answers are not used in this state"));
     chain_ = split->chain;
     const Json json = Json::parse(split->body);
@@ -106,7 +106,7 @@ class Replay {
     if (event == "answer") return answer(json);
     if (event == "interruption") return ++record_.interruptions, Done{};
     if (event == "end") return end(json);
-    return wrong(Message("holds an event \"%1\" that this program does not know", event),
+    return wrong(Message("this line holds an event \"%1\" that this program does not know", event),
                  Message("Use the program that wrote the journal"));
   }
 
@@ -119,14 +119,16 @@ class Replay {
  private:
   Result<Done> header(const Json& json) {
     if (json.at("format") != "detent-study-journal")
-      return wrong(Message("is not a journal of a study"), Message("Move this file out of the study"));
+      return wrong(Message("the file is not a journal of a study"),
+                   Message("Move this file out of the study"));
     if (const int version = json.at("version"); version != journalVersion)
-      return wrong(Message("is of version %1", version), Message("Use the program that wrote the journal"));
+      return wrong(Message("the journal has version %1, which this program cannot read", version),
+                   Message("Use the program that wrote the journal"));
     if (json.at("participant") != record_.participant)
-      return wrong(Message("is the journal of %1", jsonText(json.at("participant"))),
+      return wrong(Message("this is the journal of %1", jsonText(json.at("participant"))),
                    Message("Give the file its original name again"));
     if (json.at("study_sha256") != study_.sha256)
-      return wrong(Message("belongs to another study, or study.json was changed since"),
+      return wrong(Message("the journal belongs to another study, or study.json was changed since"),
                    Message("Restore study.json, or move the journal to its own study"));
     record_.program = json.at("program");
     record_.begunBefore = json.value("begun_before", std::size_t{0});
@@ -146,7 +148,7 @@ class Replay {
     const auto kind = sessionKinds.value(json.at("kind").get<std::string>());
     const auto listening = listenings.value(json.at("listening").get<std::string>());
     if (!kind || !listening)
-      return wrong(Message("names a session that this program does not know: %1, %2",
+      return wrong(Message("this line names a session that this program does not know: %1, %2",
                            jsonText(json.at("kind")), jsonText(json.at("listening"))),
                    Message("Use the program that wrote the journal"));
     s.kind = *kind;
@@ -178,10 +180,10 @@ class Replay {
 
   Result<Done> answer(const Json& json) {
     if (record_.sessions.empty())
-      return wrong(Message("is an answer outside a session"), Message("Restore the journal"));
+      return wrong(Message("this line is an answer outside a session"), Message("Restore the journal"));
     const Trial* trial = record_.next();
     if (trial == nullptr || json.at("trial") != trial->number)
-      return wrong(Message("answers trial %1 out of order", jsonText(json.at("trial"))),
+      return wrong(Message("this line answers trial %1 out of order", jsonText(json.at("trial"))),
                    Message("Restore the journal"));
     takeLevel(json);
     const std::string chosen = json.at("answer");
@@ -197,7 +199,7 @@ class Replay {
     }
     if (a.choice == trial->choices.size() || !ratingFits(study_, a.rating) || !timesFit(*trial, a, json) ||
         (hasRightAnswer(study_.design.kind) && json.at("x") != answerName(study_, *trial, trial->target)))
-      return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
+      return wrong(Message("this answer does not fit the list of trials"), Message("Restore the journal"));
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
     if (json.contains("felt")) {  // missing in journals up to version 0.2
@@ -219,9 +221,10 @@ class Replay {
   /// Checks that the stimuli were felt, because a journal may come from another machine.
   Result<Done> checkFelt(const Answer& a, std::size_t choices, bool kept) const {
     if (a.replays.size() > choices || a.felt.size() > choices)
-      return wrong(Message("does not fit the list of trials"), Message("Restore the journal"));
+      return wrong(Message("this answer does not fit the list of trials"), Message("Restore the journal"));
     if (!kept || record_.sessions.back().kind != SessionKind::real || feltEnough(study_, a)) return Done{};
-    return wrong(Message("is an answer about a button that was not felt"), Message("Restore the journal"));
+    return wrong(Message("this line is an answer about a button that was not felt"),
+                 Message("Restore the journal"));
   }
 
   bool timesFit(const Trial& trial, const Answer& a, const Json& json) const {
@@ -270,7 +273,7 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
     try {
       if (Result<Done> ok = replay.take(line); !ok) return ok.failure();
     } catch (const Json::exception& fault) {
-      return replay.wrong(Message("is broken (%1)", fault.what()),
+      return replay.wrong(Message("the content is broken (%1)", fault.what()),
                           Message("Restore the journal from a copy"));
     }
   }
@@ -390,7 +393,8 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
   }
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
-                   Message("cannot be read (%1)", error.message()), Message("Restore the folder")};
+                   Message("the folder cannot be read (%1)", error.message()),
+                   Message("Restore the folder from a copy")};
   std::vector<ParticipantRecord> records;
   for (const std::filesystem::path& file : files) {
     Result<ParticipantRecord> record = readParticipant(study, file.stem().string());
@@ -528,12 +532,11 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     if (!hadHead(lines)) return Done{};
-    return Failure{
-        FailureCode::unreadableInput, journal.string(), "",
-        Message(
-            "lacks the file \"%1\", which was in its folder; the end of the journal may have been cut off",
-            file.filename().string()),
-        Message("Restore both files from a copy")};
+    return Failure{FailureCode::unreadableInput, journal.string(), "",
+                   Message("the file \"%1\", which belongs to the journal, is missing; the end of the "
+                           "journal may have been cut off",
+                           file.filename().string()),
+                   Message("Restore both files from a copy")};
   }
   const Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
@@ -542,14 +545,14 @@ Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<s
   std::string chain;
   if (!(head >> count))
     return Failure{FailureCode::unreadableInput, file.string(), "",
-                   Message("does not record the length of the journal"),
+                   Message("the file does not record the length of the journal"),
                    Message("Restore both files from a copy")};
   head >> chain;
   if (count <= lines.size() &&
       chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)
     return Done{};
   return Failure{FailureCode::unreadableInput, journal.string(), "",
-                 Message("should have %1 lines, but some of them are missing", count),
+                 Message("the journal should have %1 lines, but some of them are missing", count),
                  Message("Restore the journal from a copy")};
 }
 

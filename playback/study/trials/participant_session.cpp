@@ -25,14 +25,14 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
   for (const SessionStart& before : record.sessions) {
     const bool simulated = before.kind == SessionKind::simulated;
     if (simulated == (start.kind == SessionKind::simulated)) continue;
-    return Failure{
-        FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
-        simulated ? Message("already has simulated answers") : Message("already has answers of a person"),
-        Message("Give another participant id")};
+    return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
+                   simulated ? Message("this participant already has simulated answers")
+                             : Message("this participant already has answers of a person"),
+                   Message("Give another participant id")};
   }
   if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
     return Failure{FailureCode::wrongUsage, Subject::option("--condition"), record.participant,
-                   Message("has used the listening condition \"%1\" so far, not \"%2\"",
+                   Message("this participant has used the listening condition \"%1\" so far, not \"%2\"",
                            Message::of(nameOf(record.sessions.back().listening), {}),
                            Message::of(nameOf(start.listening), {})),
                    Message("Go on in the same condition, or give another participant id")};
@@ -43,7 +43,7 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
 Result<std::size_t> othersIn(const Study& study, const std::string& participant) {
   if (!study.sites.empty())
     return Failure{FailureCode::wrongUsage, study.folder.string(), "",
-                   Message("is the merged study of several sites: nobody answers in it"),
+                   Message("this is the merged study of several sites: nobody answers in it"),
                    Message("Run the study of one site, then merge again")};
   std::size_t others = 0;
   std::error_code error;
@@ -53,7 +53,7 @@ Result<std::size_t> othersIn(const Study& study, const std::string& participant)
     ++others;
     if (spokenId(id) == spokenId(participant))
       return Failure{FailureCode::wrongUsage, Subject::option("--participant"), participant,
-                     Message("is too similar to \"%1\", who is already in the study", id),
+                     Message("this id is too similar to \"%1\", which is already in the study", id),
                      Message("Give an id that sounds different when read aloud")};
   }
   return others;
@@ -131,20 +131,21 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
   const Trial* shown = trial();
   if (shown == nullptr || answer.trial != shown->number || answer.choice >= shown->choices.size())
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   Message("is not the current trial"), Message("Answer the trial that is shown")};
+                   Message("this is not the current trial"), Message("Answer the trial that is shown")};
   if (!ratingFits(*study_, answer.rating))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   answer.rating ? Message("does not lie on the scale") : Message("contains no number"),
+                   answer.rating ? Message("the answer does not lie on the scale")
+                                 : Message("the answer contains no number"),
                    study_->design.scale == RatingScale::magnitude
                        ? Message("Give a number above 0, at most a million")
                        : Message("Give 1, 2, 3, 4, 5, 6 or 7")};
   if (!pressesFit(*study_, *shown, answer))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   Message("has no press within the time that counts"),
+                   Message("no press fell within the time that counts"),
                    Message("Press at the cue; in tapping, press at least twice")};
   if (record_.sessions.back().kind == SessionKind::real && !feltEnough(*study_, answer))
     return Failure{FailureCode::wrongUsage, "answer", Message("trial %1", answer.trial),
-                   Message("is about a button that was not felt"),
+                   Message("the answer is about a button that was not felt"),
                    Message("Press X and the button that it is compared with to the end, then answer")};
   std::string chain = chain_;
   const std::string line = answerLine(*study_, *shown, answer, chain);
@@ -310,17 +311,18 @@ Result<Simulation> pressesFrom(const std::string& file, const std::string& name)
         FailureCode::unreadableInput, file, table.place(), std::move(problem),
         Message("Give the columns trial,press_s: one row for each press, in seconds after the cue")};
   };
-  if (!columns) return refused(Message("does not have the columns trial and press_s"));
+  if (!columns) return refused(Message("the file does not have the columns trial and press_s"));
   Simulation simulation;
   simulation.name = name;
   while (table.next()) {
     const std::size_t last = std::max((*columns)[0], (*columns)[1]);
-    if (table.fields().size() <= last) return refused(Message("has too few fields"));
+    if (table.fields().size() <= last) return refused(Message("this line has too few fields"));
     const std::optional<double> trial = table.finite((*columns)[0]), press_s = table.finite((*columns)[1]);
-    if (!trial || !press_s || *trial < 1 || *trial > 1e6) return refused(Message("holds no trial and time"));
+    if (!trial || !press_s || *trial < 1 || *trial > 1e6)
+      return refused(Message("this line does not hold a trial and a time"));
     simulation.presses_s[static_cast<std::size_t>(*trial)].push_back(*press_s);
   }
-  if (simulation.presses_s.empty()) return refused(Message("holds no press"));
+  if (simulation.presses_s.empty()) return refused(Message("the file holds no press"));
   for (auto& [trial, presses] : simulation.presses_s) std::sort(presses.begin(), presses.end());
   return simulation;
 }
@@ -349,7 +351,7 @@ Result<Simulation> simulationNamed(const std::string& name) {
   if (name.starts_with(ofFile)) return pressesFrom(name.substr(ofFile.size()), name);
   return Failure{
       FailureCode::wrongUsage, Subject::option("--simulate"), "",
-      Message("\"%1\" is not a way to answer", name),
+      Message("\"%1\" is not a way to simulate answers", name),
       Message("Give guess, perfect, errors=P with P from 0 to 1, threshold=T with T from 0.001 to 10, "
               "d-prime=D with D from 0 to 10, timing=PLACE,SPREAD or presses=FILE")};
 }
@@ -359,20 +361,22 @@ Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
   if (timed != (study.design.kind == StudyKind::timing))
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                    timed ? Message("recorded presses can answer only timing studies")
-                         : Message("cannot answer a timing study"),
+                         : Message("this kind of simulation cannot answer a timing study"),
                    timed ? Message("Give guess, perfect or errors=P")
                          : Message("Give timing=PLACE,SPREAD or presses=FILE")};
   if (simulation.timing && study.design.task == TimingTask::tapping && simulation.timing->place < 0.01)
-    return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   Message("in tapping, PLACE is the time between presses in seconds"),
-                   Message("Give a time of 0.01 s or more")};
+    return Failure{
+        FailureCode::wrongUsage, Subject::option("--simulate"), "",
+        Message(
+            "in a tapping study, the PLACE of timing=PLACE,SPREAD is the time between presses in seconds"),
+        Message("Give a time of 0.01 s or more")};
   if (simulation.dPrime && study.design.kind != StudyKind::sameDifferent)
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                   Message("d' can answer only same/different studies"),
+                   Message("a simulated sensitivity (d') can answer only same/different studies"),
                    Message("Give guess, perfect or errors=P")};
   if (simulation.threshold == 0 || study.design.kind == StudyKind::threshold) return Done{};
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
-                 Message("a threshold can answer only threshold studies"),
+                 Message("a simulated threshold can answer only threshold studies"),
                  Message("Give guess, perfect or errors=P")};
 }
 

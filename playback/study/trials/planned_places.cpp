@@ -41,20 +41,22 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-plan" || json.at("version") != planVersion)
-      return brokenPlan(file, Message("is not a plan that this program knows"));
+      return brokenPlan(file, Message("the file is not a study plan that this program knows"));
     PlannedPlaces plan;
     plan.listsSha256 = json.at("lists_sha256");
     if (json.contains("unfinished")) {  // plans of version 1 may lack it
       const auto rule = unfinishedRules.value(json.at("unfinished").get<std::string>());
       if (!rule)
-        return brokenPlan(file,
-                          Message("has a rule for participants who did not finish that does not exist"));
+        return brokenPlan(
+            file,
+            Message(
+                "the plan names a rule for participants who did not finish that this program does not know"));
       plan.unfinished = *rule;
     }
     for (const Json& id : json.at("participants")) plan.participants.push_back(id.get<std::string>());
     return plan;
   } catch (const Json::exception& fault) {
-    return brokenPlan(file, Message("is broken (%1)", fault.what()));
+    return brokenPlan(file, Message("the content is broken (%1)", fault.what()));
   }
 }
 

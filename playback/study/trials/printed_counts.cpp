@@ -114,7 +114,7 @@ Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder) {
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-counts" || json.at("version") != countsVersion)
-      return broken(Message("is not a file of counts of version %1", countsVersion));
+      return broken(Message("the file does not hold study counts of version %1", countsVersion));
     StudyResults results;
     results.study = json.at("title");
     results.source = json.at("source");
@@ -130,7 +130,7 @@ Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder) {
       results.groups.push_back(matchingFrom(json.at("matching"), results.warnings));
     return results;
   } catch (const Json::exception& fault) {
-    return broken(Message("is broken (%1)", fault.what()));
+    return broken(Message("the content is broken (%1)", fault.what()));
   }
 }
 

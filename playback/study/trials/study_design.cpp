@@ -82,11 +82,12 @@ Result<Done> checkLevelsDiffer(const Study& study) {
   for (const StudyLevel& level : study.levels)
     for (const FeedbackMode mode : study.design.modes)
       if (hashIn(level.button, mode) == hashIn(level.reference, mode))
-        return wrongOption("--quantity",
-                           Message("in \"%1\" (%2), more of \"%3\" makes no difference to the feel",
-                                   study.buttons[level.reference].label, Message::of(nameOf(mode), {}),
-                                   Message::of(nameOf(study.design.quantity), {})),
-                           Message("Choose another quantity, mode, button or kind of feel"));
+        return wrongOption(
+            "--quantity",
+            Message("increasing \"%3\" makes no difference to the feel of the button \"%1\" (%2)",
+                    study.buttons[level.reference].label, Message::of(nameOf(mode), {}),
+                    Message::of(nameOf(study.design.quantity), {})),
+            Message("Choose another quantity, mode, button or kind of feel"));
   return Done{};
 }
 
@@ -140,7 +141,7 @@ Json jsonOf(const Study& study) {
 
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
   if (const auto mode = feedbackModes.value(name); mode && *mode != FeedbackMode::off) return *mode;
-  return unreadable(file, Message("names a mode \"%1\" that does not exist", name),
+  return unreadable(file, Message("the file names a mode \"%1\" that does not exist", name),
                     Message("Restore the original file"));
 }
 
@@ -148,44 +149,48 @@ Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file)
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
-    return unreadable(file, Message("is not a study"),
-                      Message("Name a folder made by detent-play study new"));
+    return unreadable(file, Message("the file does not describe a study"),
+                      Message("Choose a folder that New study or `detent-play study new` made"));
   study.version = json.at("version");
   if (study.version < 1 || study.version > studyVersion)
-    return unreadable(
-        file, Message("is a study of version %1; this program knows 1 to %2", study.version, studyVersion),
-        Message("Use the program that made it"));
+    return unreadable(file,
+                      Message("the study has version %1; this program knows the versions 1 to %2",
+                              study.version, studyVersion),
+                      Message("Use the version of Detent that made the study"));
   if (json.at("generator") != generatorName)
-    return unreadable(
-        file, Message("has an order of questions that was made by %1", jsonText(json.at("generator"))),
-        Message("Use the program that made it"));
+    return unreadable(file,
+                      Message("the order of the questions was made by another generator, %1",
+                              jsonText(json.at("generator"))),
+                      Message("Use the version of Detent that made the study"));
   study.program = json.at("program");
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
   const auto known = studyKinds.value(kind);
   if (!known)
-    return unreadable(file, Message("names a kind \"%1\" that does not exist", kind),
+    return unreadable(file, Message("the file names a kind of study \"%1\" that does not exist", kind),
                       Message("Restore the original file"));
   d.kind = *known;
   if (d.kind == StudyKind::threshold) {
     const auto quantity = levelQuantities.value(json.at("quantity").get<std::string>());
     if (!quantity)
-      return unreadable(file,
-                        Message("names a quantity %1 that does not exist", jsonText(json.at("quantity"))),
-                        Message("Restore the original file"));
+      return unreadable(
+          file, Message("the file names a quantity %1 that does not exist", jsonText(json.at("quantity"))),
+          Message("Restore the original file"));
     d.quantity = *quantity;
   }
   if (d.kind == StudyKind::rating) {
     const auto scale = ratingScales.value(json.at("scale").get<std::string>());
     if (!scale)
-      return unreadable(file, Message("names a scale %1 that does not exist", jsonText(json.at("scale"))),
-                        Message("Restore the original file"));
+      return unreadable(
+          file, Message("the file names a rating scale %1 that does not exist", jsonText(json.at("scale"))),
+          Message("Restore the original file"));
     d.scale = *scale;
   }
   if (d.kind == StudyKind::timing) {
     const auto task = timingTasks.value(json.at("task").get<std::string>());
     if (!task)
-      return unreadable(file, Message("names a task %1 that does not exist", jsonText(json.at("task"))),
+      return unreadable(file,
+                        Message("the file names a task %1 that does not exist", jsonText(json.at("task"))),
                         Message("Restore the original file"));
     d.task = *task;
     if (d.task == TimingTask::tapping)
@@ -198,8 +203,9 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   if (study.version > 2) {
     const auto feel = feels.value(json.at("feel").get<std::string>());
     if (!feel)
-      return unreadable(file, Message("names a feel %1 that does not exist", jsonText(json.at("feel"))),
-                        Message("Restore the original file"));
+      return unreadable(
+          file, Message("the file names a kind of feel %1 that does not exist", jsonText(json.at("feel"))),
+          Message("Restore the original file"));
     d.feel = *feel;
   }
   if (json.contains("sound")) {
@@ -230,15 +236,17 @@ Result<Done> readLevels(Study& study, const Json& json) {
     std::size_t reference = 0;
     while (reference < given && study.buttons[reference].label != label) ++reference;
     if (reference == given)
-      return unreadable(study.folder / "study.json",
-                        Message("has levels of a button \"%1\" that is not in the study", label),
-                        Message("Restore the original file"));
+      return unreadable(
+          study.folder / "study.json",
+          Message("the file has increased versions of a button \"%1\" that is not in the study", label),
+          Message("Restore the original file"));
     if (Result<Done> ok = addLevel(study, reference, entry.at("increase")); !ok) return ok;
   }
   for (std::size_t reference = 0; reference < given; ++reference)
     if (increasesOf(study, reference).size() < 2)
       return unreadable(study.folder / "study.json",
-                        Message("has no levels of the button \"%1\"", study.buttons[reference].label),
+                        Message("the file has fewer than two increased versions of the button \"%1\"",
+                                study.buttons[reference].label),
                         Message("Restore the original file"));
   return Done{};
 }
@@ -252,7 +260,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!text) return text.failure();
     const std::string hash = sha256Hex(*text);
     if (entry.at("sha256") != hash)
-      return unreadable(file, Message("was changed after the study was made"),
+      return unreadable(file, Message("the file was changed after the study was made"),
                         Message("Restore the file, or make a new study with the changed button"));
     Result<Button> button = buttonFromJson(*text, file);
     if (!button) return button.failure();
@@ -263,7 +271,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     Result<std::string> text = readTextFile(file.string());
     if (!text) return text.failure();
     if (sha256Hex(*text) != study.profileSha256)
-      return unreadable(file, Message("was changed after the study was made"),
+      return unreadable(file, Message("the file was changed after the study was made"),
                         Message("Restore the file, or make a new study"));
     Result<DeviceProfile> profile = parseDeviceProfile(*text, file.string());
     if (!profile) return profile.failure();
@@ -274,7 +282,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     const Result<std::string> bytes = readTextFile(file.string());
     if (!bytes) return bytes.failure();
     if (sha256Hex(*bytes) != study.design.sound.sha256)
-      return unreadable(file, Message("was changed after the study was made"),
+      return unreadable(file, Message("the file was changed after the study was made"),
                         Message("Restore the file, or make a new study"));
   }
   if (Result<Done> ok = readLevels(study, json); !ok) return ok;
@@ -286,7 +294,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!mode) return mode.failure();
     if (at == study.buttons.end())
       return unreadable(study.folder / "study.json",
-                        Message("names a button \"%1\" that is not in the study", label),
+                        Message("the file names a button \"%1\" that is not in the study", label),
                         Message("Restore the original file"));
     study.stimuli.push_back(
         {static_cast<std::size_t>(at - study.buttons.begin()), *mode, entry.at("sha256")});
@@ -296,8 +304,8 @@ Result<Done> readParts(Study& study, const Json& json) {
       if (std::none_of(study.stimuli.begin(), study.stimuli.end(),
                        [&](const StudyStimulus& s) { return s.button == b && s.mode == mode; }))
         return unreadable(study.folder / "study.json",
-                          Message("does not record how the button \"%1\" feels (%2)", study.buttons[b].label,
-                                  Message::of(nameOf(mode), {})),
+                          Message("the file does not record how the button \"%1\" feels in the mode %2",
+                                  study.buttons[b].label, Message::of(nameOf(mode), {})),
                           Message("Restore the original file"));
     }
   }
@@ -313,9 +321,9 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
     if (!button) return button.failure();
     const std::string label = fileLabel(file);
     if (!isUtf8(label))  // the label is stored in study.json, and names the study's copy of the file
-      return wrong(file, Message("has a name that is not UTF-8"), Message("Rename the file"));
+      return wrong(file, Message("the name of the file is not encoded as UTF-8"), Message("Rename the file"));
     if (!labels.insert(label).second)
-      return wrong(file, Message("is the second button with the name \"%1\"", label),
+      return wrong(file, Message("two of the button files have the name \"%1\"", label),
                    Message("Rename one of the files"));
     study.buttons.push_back({label, sha256Hex(*text), *std::move(button)});
   }
@@ -335,7 +343,7 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
   if (!profileFile.empty()) copy(profileFile, folder / "device.device");
   if (!soundFile.empty()) copy(soundFile, folder / study.design.sound.source);
   if (error)
-    return unreadable(folder, Message("cannot be created (%1)", error.message()),
+    return unreadable(folder, Message("the folder cannot be created (%1)", error.message()),
                       Message("Check the folder, its permissions and the free space"));
   if (Result<Done> ok = writeConsents(folder, study.design.consents); !ok) return ok;
   return writeTextFileAtomically((folder / "study.json").string(), jsonText(jsonOf(study), 2) + "\n");
@@ -411,20 +419,22 @@ Result<Done> checkTimes(const StudyDesign& d) {
                        Message("Give a number inside this range"));
   }
   if (!eachOnceWithin(d.intervals_s, leastInterval_s, mostInterval_s))
-    return wrongOption("--intervals",
-                       Message("no time is given, too many, the same one twice, or one outside %1 to %2 s",
-                               leastInterval_s, mostInterval_s),
-                       Message("Give 1 to %1 different times", mostTimes));
+    return wrongOption(
+        "--intervals",
+        Message("the list of times is empty or too long, repeats a time, or has a time outside %1 to %2 s",
+                leastInterval_s, mostInterval_s),
+        Message("Give a list of 1 to %1 times that all differ", mostTimes));
   if (d.task == TimingTask::cue) return Done{};
   const double least = *std::min_element(d.intervals_s.begin(), d.intervals_s.end());
   if (eachOnceWithin(d.windows_s, leastWindow_s, mostWindow_s) &&
       *std::max_element(d.windows_s.begin(), d.windows_s.end()) < least)
     return Done{};
-  return wrongOption("--windows",
-                     Message("no time is given, too many, the same one twice, one outside %1 to %2 s, or one "
-                             "as long as an interval",
-                             leastWindow_s, mostWindow_s),
-                     Message("Give 1 to %1 times, each shorter than the shortest interval", mostTimes));
+  return wrongOption(
+      "--windows",
+      Message("the list of times is empty or too long, repeats a time, or has a time that is "
+              "outside %1 to %2 s or as long as an interval",
+              leastWindow_s, mostWindow_s),
+      Message("Give a list of 1 to %1 times that are all shorter than the shortest interval", mostTimes));
 }
 
 }  // namespace
@@ -433,29 +443,33 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   const bool oneWillDo = d.kind == StudyKind::threshold || d.kind == StudyKind::timing ||
                          (d.kind == StudyKind::rating && d.scale != RatingScale::pairwise);
   if (buttons == 0 && oneWillDo)
-    return wrong("study", Message("has no button"), Message("Give at least one button"));
+    return wrong("study", Message("the study has no button"), Message("Give at least one button"));
   if (buttons == 0 || (buttons == 1 && !oneWillDo))
-    return wrong("study", buttons == 1 ? Message("has 1 button") : Message("has no button"),
+    return wrong("study",
+                 buttons == 1 ? Message("the study has only 1 button") : Message("the study has no button"),
                  Message("Give at least two buttons"));
   if (buttons > mostButtons)
-    return wrong("study", Message("has %1 buttons", buttons), Message("Give at most %1", mostButtons));
+    return wrong("study", Message("the study has %1 buttons", buttons),
+                 Message("Give at most %1", mostButtons));
   if (d.trials < 1 || d.trials > mostTrials) return outside("--trials", d.trials, 1, mostTrials);
   if (d.practice > mostPractice) return outside("--practice", d.practice, 0, mostPractice);
   const std::size_t pairs = buttons * (buttons - 1) / 2;
   if (d.pairsEach > 0 && !asksForPairs(d))
-    return wrongOption("--pairs-each", Message("cannot be used in a study without pairs"),
+    return wrongOption("--pairs-each", Message("this option cannot be used in a study without pairs"),
                        Message("Leave this option out"));
   if (d.pairsEach > pairs)
-    return wrongOption("--pairs-each", Message("asks for %1 of %2 pairs", d.pairsEach, pairs),
+    return wrongOption("--pairs-each",
+                       Message("%1 pairs are requested, but there are only %2", d.pairsEach, pairs),
                        Message("Give fewer pairs, or 0 for all pairs"));
   if (d.modes.empty() || std::set<FeedbackMode>(d.modes.begin(), d.modes.end()).size() != d.modes.size())
-    return wrongOption("--modes", Message("no mode is given, or the same one twice"),
+    return wrongOption("--modes", Message("no mode is given, or one mode is given twice"),
                        Message("Choose at least one mode, each only once"));
   if (std::find(d.modes.begin(), d.modes.end(), FeedbackMode::off) != d.modes.end())
-    return wrongOption("--modes", Message("\"off\" cannot be felt"),
+    return wrongOption("--modes", Message("the mode \"off\" plays nothing that participants could feel"),
                        Message("Give full, click-only or slope-only"));
   if (d.targets == TargetKind::physicalButton && d.kind != StudyKind::matching)
-    return wrongOption("--physical", Message("needs a matching study"), Message("Add --kind matching"));
+    return wrongOption("--physical", Message("this option needs a matching study"),
+                       Message("Add --kind matching"));
   if (!(d.sound.level_dB >= softestSound_dB && d.sound.level_dB <= loudestSound_dB))
     return wrongOption(
         "--sound-level",
@@ -501,7 +515,7 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
                           const std::string& profileFile, const StudyDesign& design) {
   std::error_code error;
   if (fs::exists(folder, error))
-    return wrong(folder.string(), Message("exists already"),
+    return wrong(folder.string(), Message("the folder exists already"),
                  Message("Name a new folder; a study is never overwritten"));
   if (Result<Done> ok = checkDesign(design, buttonFiles.size()); !ok) return ok.failure();
   Study study;
@@ -545,8 +559,8 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
       writeFolderToDisk(folder);
       return openStudy(folder);
     }
-    written = unreadable(folder, Message("cannot be created (%1)", error.message()),
-                         Message("Check the folder above it"));
+    written = unreadable(folder, Message("the folder cannot be created (%1)", error.message()),
+                         Message("Check the folder in which it should be created"));
   }
   fs::remove_all(draft, error);
   return written.failure();
@@ -556,14 +570,17 @@ Result<Study> openStudy(const fs::path& folder) {
   const std::string file = (folder / "study.json").string();
   Result<std::string> text = readTextFile(file);
   if (!text)
-    return unreadable(folder, Message("is not a study: study.json %1", text.failure().problem),
-                      Message("Make a study with detent-play study new, or name the folder of a study"));
+    return unreadable(
+        folder,
+        Message("the folder is not a study: its study.json cannot be read (%1)", text.failure().problem),
+        Message("Choose the folder of a study, or make a new study (in the window: Button > Study with "
+                "people; on the command line: `detent-play study new`)"));
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") == "detent-merged-study") {
       if (json.at("version") != 1 || json.at("sites").empty())
-        return unreadable(file, Message("names no sites that this program knows"),
-                          Message("Use the program that made it"));
+        return unreadable(file, Message("the file names no sites that this program knows"),
+                          Message("Use the version of Detent that made the study"));
       Result<Study> merged = openSites(json.at("sites").get<std::vector<std::string>>(), folder);
       if (merged) merged->sha256 = sha256Hex(*text);
       return merged;
@@ -575,14 +592,15 @@ Result<Study> openStudy(const fs::path& folder) {
     study->sha256 = sha256Hex(*text);
     if (Result<Done> ok = readParts(*study, json); !ok) return ok.failure();
     if (Result<Done> ok = checkDesign(study->design, study->givenButtons()); !ok)
-      return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
+      return unreadable(file, Message("%1: %2", ok.failure().subject.name, ok.failure().problem),
                         Message("Restore the original file"));
     const Result<PlannedPlaces> plan = placesOf(folder);
     if (!plan) return plan.failure();
     study->unfinished = plan->unfinished;
     return study;
   } catch (const Json::exception& fault) {
-    return unreadable(file, Message("is broken (%1)", fault.what()), Message("Restore the file from a copy"));
+    return unreadable(file, Message("the content is broken (%1)", fault.what()),
+                      Message("Restore the file from a copy"));
   }
 }
 

@@ -96,10 +96,10 @@ Result<Done> addUsualLevels(Study& study) {
       ++count;
     }
     if (count < fewestLevels)
-      return Failure{
-          FailureCode::wrongUsage, Subject::option("--quantity"), study.buttons[reference].label,
-          Message("has no room to increase \"%1\" by 10 %", Message::of(nameOf(study.design.quantity), {})),
-          Message("Choose another quantity, or a button that has less of this one")};
+      return Failure{FailureCode::wrongUsage, Subject::option("--quantity"), study.buttons[reference].label,
+                     Message("the button has no room to increase \"%1\" by 10 %",
+                             Message::of(nameOf(study.design.quantity), {})),
+                     Message("Choose another quantity, or a button that has less of this one")};
   }
   return Done{};
 }

@@ -249,7 +249,7 @@ Result<Done> makeFolder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (!error) return Done{};
   return Failure{FailureCode::unreadableInput, folder.string(), "",
-                 Message("cannot be created (%1)", error.message()),
+                 Message("the folder cannot be created (%1)", error.message()),
                  Message("Check the folder, its permissions and the free space")};
 }
 

@@ -540,7 +540,7 @@ Result<Done> checkNobodyBegan(const Study& study) {
   std::error_code error;
   if (study.sites.empty() && (fs::is_empty(study.folder / "participants", error) || error)) return Done{};
   return Failure{FailureCode::wrongUsage, study.folder.string(), "",
-                 Message("already has a participant, so it is too late for a plan"),
+                 Message("the study already has a participant, so it is too late for a plan"),
                  Message("Plan before the first participant begins, or make a new study")};
 }
 
@@ -560,8 +560,8 @@ Result<std::string> writeLists(const Study& study, const PlannedPlaces& plan, co
   fs::create_directories(folder, error);
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
-                   Message("cannot be created (%1)", error.message()),
-                   Message("Check the folder above it and its permissions")};
+                   Message("the folder cannot be created (%1)", error.message()),
+                   Message("Check the folder in which it should be created, and its permissions")};
   std::string all;
   for (std::size_t place = 0; place < plan.participants.size(); ++place) {
     const std::string& id = plan.participants[place];

@@ -55,7 +55,8 @@ class Reader {
       if (std::optional<Failure> failure = take(table, *columns)) return *std::move(failure);
     TimedPeople presses{task_, {}};
     for (auto& [participant, trials] : people_) presses.people.push_back({participant, std::move(trials)});
-    if (presses.people.empty()) return refused("", "has a header but no rows", "Give one row for each trial");
+    if (presses.people.empty())
+      return refused("", "the file has a header but no rows", "Give one row for each trial");
     return presses;
   }
 

@@ -304,7 +304,7 @@ class FeelLiveTest : public QObject {
     QTRY_COMPARE(rig.deepest_mm, 4.0);
     QTRY_VERIFY(!rig.finger);
     pty.unplug();
-    QTRY_VERIFY_WITH_TIMEOUT(rig.part<QLabel>("sensorNote")->text().contains("Unplugged"), 4000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.part<QLabel>("sensorNote")->text().contains("unplugged"), 4000);
     rig.part<QPushButton>("sensorConnect")->click();
     QTRY_VERIFY(!rig.part<QLabel>("sensorNote")->isVisible());
   }

@@ -426,7 +426,7 @@ class FilesTest : public QObject {
     QVERIFY(!QFileInfo::exists(at("no")));
     writeFile(at("taken"), "mine");
     const auto taken = exportDataPackage(button, at("taken"));
-    QVERIFY(sentenceOf(taken.failure()).contains("cannot be created as a folder"));
+    QVERIFY(sentenceOf(taken.failure()).contains("the folder cannot be created"));
     QCOMPARE(contentsOf(at("taken")), QByteArray("mine"));
     // A place of a table that is taken: neither the other tables nor the description are exchanged.
     QVERIFY(exportDataPackage(button, at("again")).ok());

@@ -924,7 +924,7 @@ class StudyTest : public QObject {
       maker.findChild<QLineEdit*>("makerWindows")->setText(wrong);
       QVERIFY2(!make->isEnabled(), wrong);
       const QString lengthText = maker.findChild<QLabel*>("makerLength")->text();
-      QVERIFY2(lengthText.startsWith("Windows, s: ") && lengthText.contains("0.01 to 1 s"),
+      QVERIFY2(lengthText.startsWith("Time windows in s: ") && lengthText.contains("0.01 to 1 s"),
                qPrintable(lengthText));
     }
     maker.findChild<QLineEdit*>("makerWindows")->setText("0,1; 0.2");
@@ -960,7 +960,7 @@ class StudyTest : public QObject {
     list->item(0)->setCheckState(Qt::Checked);
     choose(maker, playback::StudyKind::timing);
     maker.findChild<QLineEdit*>("makerIntervals")->setText("9");
-    QVERIFY2(lengthText().startsWith("Intervals, s: ") && lengthText().contains("0.2 to 5 s"),
+    QVERIFY2(lengthText().startsWith("Intervals in s: ") && lengthText().contains("0.2 to 5 s"),
              qPrintable(lengthText()));
     rig.makeStudy();
     QVERIFY(rig.begin("no name!") == nullptr);

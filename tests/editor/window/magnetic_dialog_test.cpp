@@ -70,7 +70,8 @@ class MagneticDialogTest : public QObject {
     QVERIFY(!accept(dialog)->isEnabled() && !said(dialog, "magneticRefusal").isEmpty());
     type(dialog, "magneticReset", "1.5");
     type(dialog, "magneticTop", "1.6");
-    QVERIFY(refused("top dead zone: 1.6 mm from rest reaches past the release point, 1.5 mm."));
+    QVERIFY(refused(
+        "top dead zone: a top dead zone of 1.6 mm reaches past the release point, which is at 1.5 mm."));
     type(dialog, "magneticTop", "0");
     type(dialog, "magneticBottom", "3");
     QVERIFY(refused("reaches past the actuation point"));

@@ -648,7 +648,9 @@ class WindowTest : public QObject {
     dialog.show();
     for (int i = 0; i < format->count(); ++i) {
       format->setCurrentIndex(i);
-      QVERIFY(dialog.findChild<QLabel*>("deviceLoss")->text().startsWith("Energy of the vibration kept"));
+      QVERIFY(dialog.findChild<QLabel*>("deviceLoss")
+                  ->text()
+                  .startsWith("Share of the vibration's energy that the export keeps"));
       QCOMPARE(rate->isVisible(), dialog.choice().wanted.settings.format == playback::ExportFormat::pcm);
       QVERIFY(dialog.findChild<QPushButton*>("deviceExport")->isEnabled());
     }
@@ -1448,7 +1450,7 @@ class WindowTest : public QObject {
     rig.window->files().open({sample("buttons/B.button.json")});
     for (const QAction* action : rig.window->allActions())
       if (action->objectName().startsWith("tool")) QVERIFY(!action->toolTip().contains("Click"));
-    QCOMPARE(inWords(Message("cannot be written: %1", "x"), settings.units()),
+    QCOMPARE(inWords(Message("the file cannot be written: %1", "x"), settings.units()),
              QString("lässt sich nicht schreiben: x"));
     const auto inGerman = [&](const char* words) {
       return inWords(Message::of(words, {}), settings.units()) != QString::fromUtf8(words);

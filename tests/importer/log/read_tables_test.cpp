@@ -269,20 +269,20 @@ TEST_CASE("tables that are no force log are refused for what they are") {
     const char* header;
     const char* said;
   };
-  for (const Refused& each :
-       {Refused{"time_s,temperature_C", "no column is"}, Refused{"Strain (%),Stress (MPa)", "no column is"},
-        Refused{"Angle (deg),Torque (N·mm)", "no column is"},
-        Refused{"Capacity (Ah),Voltage (V)", "no column is"},
-        Refused{"Time (s),Force (N)", "no column is displacement"},
-        Refused{"Time (s),Position (mm)", "no column is force"},
-        Refused{"Frequency (Hz),Gain (dB)", "no column is"},
-        Refused{"Travel (mm),Samples [N]", "no column is force"},
-        Refused{"Travel (mm),Shock [g]", "no column is force"},
-        Refused{"Travel (mm),Force (N m)", "no column is force"},
-        Refused{"Travel (mm),Impulse (N s)", "no column is force"},
-        Refused{"Wear (mm),Force (N)", "no column is displacement"},
-        Refused{"Turns,Force (N)", "no column is displacement"},
-        Refused{"x (mm),y (mm),z (mm)", "no column is force"}}) {
+  for (const Refused& each : {Refused{"time_s,temperature_C", "no column holds"},
+                              Refused{"Strain (%),Stress (MPa)", "no column holds"},
+                              Refused{"Angle (deg),Torque (N·mm)", "no column holds"},
+                              Refused{"Capacity (Ah),Voltage (V)", "no column holds"},
+                              Refused{"Time (s),Force (N)", "no column holds displacements"},
+                              Refused{"Time (s),Position (mm)", "no column holds forces"},
+                              Refused{"Frequency (Hz),Gain (dB)", "no column holds"},
+                              Refused{"Travel (mm),Samples [N]", "no column holds forces"},
+                              Refused{"Travel (mm),Shock [g]", "no column holds forces"},
+                              Refused{"Travel (mm),Force (N m)", "no column holds forces"},
+                              Refused{"Travel (mm),Impulse (N s)", "no column holds forces"},
+                              Refused{"Wear (mm),Force (N)", "no column holds displacements"},
+                              Refused{"Turns,Force (N)", "no column holds displacements"},
+                              Refused{"x (mm),y (mm),z (mm)", "no column holds forces"}}) {
     CAPTURE(each.header);
     const std::string header = each.header;
     const bool three = std::count(header.begin(), header.end(), ',') == 2;
@@ -347,7 +347,7 @@ TEST_CASE("titles that speak for neither a displacement nor a force are refused"
     const auto log = readForceLog(file.path());
     REQUIRE_FALSE(log);
     CHECK(log.failure().code == FailureCode::noForceGraph);
-    CHECK(log.failure().sentence().find("no column is displacement") != std::string::npos);
+    CHECK(log.failure().sentence().find("no column holds displacements") != std::string::npos);
   }
 }
 

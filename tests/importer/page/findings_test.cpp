@@ -46,15 +46,16 @@ TEST_CASE("every finding has a name for scripts and words for people") {
 TEST_CASE("detent-import says what to pass after what it remarks") {
   CHECK(commandLineWords(Remark{
             RemarkCode::lengthUnitAssumed, {"x", "mm"}, {{RemedyKind::giveXUnit, "if it is another"}}}) ==
-        "no unit found on the x axis: taken as mm. Pass --x-unit if it is another");
-  CHECK(commandLineWords(Remark{RemarkCode::severalGraphs,
-                                {3, 2, 1},
-                                {{RemedyKind::choosePage, {}},
-                                 {RemedyKind::chooseGraph, "for another"},
-                                 {RemedyKind::importAll, "for each"}}}) ==
-        "3 graphs found; this is the most certain one (page 2, graph 1). Pass --page and --graph (--list "
-        "shows the "
-        "graphs that were found) for another, or --all for each");
+        "the x axis names no unit, so mm was assumed. Pass --x-unit if it is another");
+  CHECK(
+      commandLineWords(Remark{RemarkCode::severalGraphs,
+                              {3, 2, 1},
+                              {{RemedyKind::choosePage, {}},
+                               {RemedyKind::chooseGraph, "for another"},
+                               {RemedyKind::importAll, "for each"}}}) ==
+      "3 graphs were found; this is the most certain one (page 2, graph 1). Pass --page and --graph (--list "
+      "shows the "
+      "graphs that were found) for another, or --all for each");
 }
 
 TEST_CASE("a doubt that nobody settles is a Failure with its code as reason") {

@@ -60,5 +60,5 @@ TEST_CASE("A folder is no file to write to") {
   StagedOutputs outputs;
   const auto refused = outputs.stage(folder.path.string(), "x");
   REQUIRE_FALSE(refused);
-  CHECK_THAT(refused.failure().sentence(), Catch::Contains("it is a folder"));
+  CHECK_THAT(refused.failure().sentence(), Catch::Contains("this is a folder, not a file"));
 }

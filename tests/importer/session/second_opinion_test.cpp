@@ -120,7 +120,7 @@ TEST_CASE("A stroke that one reading alone finds is a difference", "[second opin
   pressAlone.attempt.report->strokes.release.reset();
   const auto best = settled(certain(1, 4), std::move(pressAlone), unasked, sure);
   REQUIRE(best.report->doubt);
-  CHECK_THAT(english(messageOf(*best.report->doubt)), Catch::Contains("without a release"));
+  CHECK_THAT(english(messageOf(*best.report->doubt)), Catch::Contains("no release"));
 }
 
 TEST_CASE("An uncertain second reading changes nothing", "[second opinion]") {

@@ -231,36 +231,38 @@ TEST_CASE("hostile JSON is refused quickly") {
   requireRefusal(replaced(fixtureText(), "0.7,", "-Infinity,"), "is not valid JSON");
   requireRefusal(replaced(fixtureText(), "0.7,", "123456789012345678901234567890,"), "beyond the limit");
   requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 3, \"page\": 4"),
-                 "key \"page\": is given twice");
+                 "key \"page\": the key is given twice");
   requireRefusal("{\"" + std::string(5000, 'k') +
                      "\": 1, \"format\": \"detent-button\", \"version\": 1, \"states\": []}",
-                 "is not a field");
+                 "does not belong to the format");
 }
 
 TEST_CASE("wrong types are refused with the path of the value") {
   requireRefusal("[]", "is a list, not an object");
   requireRefusal("null", "is null, not an object");
   requireRefusal(replaced(fixtureText(), "\"detent-button\"", "\"other\""),
-                 "format: is not \"detent-button\"");
+                 "format: the format is not \"detent-button\"");
   requireRefusal(replaced(fixtureText(), "\"force_N\": 0.7,", "\"force_N\": \"0.7\","),
-                 "states[0].press[1].force_N: is text, not a number");
-  requireRefusal(replaced(fixtureText(), "\"force_N\": 0.7,", ""), "states[0].press[1].force_N: is missing");
+                 "states[0].press[1].force_N: the value is text, not a number");
+  requireRefusal(replaced(fixtureText(), "\"force_N\": 0.7,", ""),
+                 "states[0].press[1].force_N: the field is missing");
   requireRefusal(replaced(fixtureText(), "\"operatingPoint_mm\": 3.0", "\"operatingPoint_mm\": null"),
-                 "states[0].operatingPoint_mm: is null");
+                 "states[0].operatingPoint_mm: the value is null");
   requireRefusal(replaced(fixtureText(), "[\"--y-unit cN\"]", "[1]"),
-                 "provenance.given[0]: is a number, not text");
-  requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 3.5"), "provenance.page: is 3.5");
+                 "provenance.given[0]: the value is a number, not text");
+  requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 3.5"),
+                 "provenance.page: the value is 3.5");
   requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 1e300"),
                  "not a whole number of ordinary size");
   requireRefusal(replaced(fixtureText(), "\"given\"}", "\"guessed\"}"),
-                 "provenance.yAxis.by: is \"guessed\"");
+                 "provenance.yAxis.by: the value is \"guessed\"");
   requireRefusal("{\"format\": \"detent-button\", \"version\": 1, \"states\": {}}",
-                 "states: is an object, not a list");
+                 "states: the value is an object, not a list");
 }
 
 TEST_CASE("the model's own rules speak with the path in front") {
   requireRefusal(replaced(fixtureText(), "\"displacement_mm\": 2.0", "\"displacement_mm\": 1.0"),
-                 "states[0].press, curve point 3: displacement 1 mm lies before");
+                 "states[0].press, curve point 3: the displacement 1 mm lies before");
   requireRefusal(replaced(fixtureText(), "\"operatingPoint_mm\": 3.0", "\"operatingPoint_mm\": 30"),
                  "state \"unlocked\": operating point at 30 mm");
   requireRefusal("{\"format\": \"detent-button\", \"version\": 1, \"states\": []}", "has 0 states");
@@ -268,7 +270,7 @@ TEST_CASE("the model's own rules speak with the path in front") {
 
 TEST_CASE("misspelt keys are refused, keys of others are let be") {
   requireRefusal(replaced(fixtureText(), "operatingPoint_mm", "operatingpoint_mm"),
-                 "states[0].operatingpoint_mm: is not a field of this format");
+                 "states[0].operatingpoint_mm: this field does not belong to the format");
   CHECK(buttonFromJson(replaced(fixtureText(), "\"operatingPoint_mm\"",
                                 "\"x-note\": {\"any\": []}, \"operatingPoint_mm\""),
                        "b")

@@ -95,7 +95,7 @@ TEST_CASE("faults are refused with their line") {
     CHECK(read(std::string("press,0,0\npress,1,") + bad + "\n").failure().exitCode() == 3);
   requireCsvRefusal(read("press,0,0\n"), 3, "press rows");
   requireCsvRefusal(read("press,0,0\npress,1,1\npress,0.5,1\n"), 3,
-                    "press rows, point 3: at 0.5 mm goes back");
+                    "press rows, point 3: the displacement 0.5 mm lies before");
   requireCsvRefusal(read("press,0,0\npress,1,1\nrelease,0,0\nrelease,1,1\n"), 3, "release rows, point 1");
   requireCsvRefusal(read("press,-1,0\npress,1,1\n"), 3, "starts at -1 mm");
 }

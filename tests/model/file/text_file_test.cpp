@@ -45,9 +45,10 @@ TEST_CASE("an existing file keeps its permissions, a link its target") {
 
 TEST_CASE("where nothing can be written, nothing is left and the old file stands") {
   const TestFolder folder;
-  requireFailure(writeTextFileAtomically(folder.path().string(), "x"), 2, "it is a folder");
-  requireFailure(writeTextFileAtomically(folder / "no/such/folder/out", "x"), 2, "its folder does not exist");
-  requireFailure(writeTextFileAtomically("/dev/null", "x"), 2, "it is not an ordinary file");
+  requireFailure(writeTextFileAtomically(folder.path().string(), "x"), 2, "this is a folder, not a file");
+  requireFailure(writeTextFileAtomically(folder / "no/such/folder/out", "x"), 2,
+                 "the folder of the file does not exist");
+  requireFailure(writeTextFileAtomically("/dev/null", "x"), 2, "this is not an ordinary file");
   requireFailure(writeTextFileAtomically(folder / std::string(300, 'n'), "x"), 1, "cannot be written");
   CHECK(folder.entries() == 0);
 }
@@ -58,7 +59,7 @@ TEST_CASE("files that belong together are all written, or none and the old ones 
   fs::create_directory(folder / "taken");
   requireFailure(
       writeTextFilesAtomically({{folder / "a", "new"}, {folder / "c", "new"}, {folder / "taken", "new"}}), 2,
-      "it is a folder");
+      "this is a folder, not a file");
   CHECK(readTextFile(folder / "a").value() == "old");
   CHECK(folder.entries() == 3);
   REQUIRE(writeTextFilesAtomically({{folder / "a", "new"}, {folder / "b", "newer"}}).ok());
@@ -79,8 +80,9 @@ TEST_CASE("what cannot be read is refused by name") {
   const auto missing = readTextFile(folder / "missing");
   REQUIRE_FALSE(missing.ok());
   CHECK(missing.failure().exitCode() == 3);
-  CHECK_THAT(missing.failure().sentence(), Catch::Contains("missing: does not exist"));
-  CHECK_THAT(readTextFile(folder.path().string()).failure().sentence(), Catch::Contains("is a folder"));
+  CHECK_THAT(missing.failure().sentence(), Catch::Contains("missing: the file does not exist"));
+  CHECK_THAT(readTextFile(folder.path().string()).failure().sentence(),
+             Catch::Contains("this is a folder, not a file"));
   std::ofstream(folder / "large").close();
   fs::resize_file(folder / "large", maxTextFileBytes + 1);
   CHECK_THAT(readTextFile(folder / "large").failure().sentence(), Catch::Contains("is larger than 256 MiB"));

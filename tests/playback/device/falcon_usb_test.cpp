@@ -117,7 +117,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
   FalconRig rig;
   auto none = openFalcon(settingsWith({}));
   REQUIRE_FALSE(none);
-  CHECK(english(none.failure().problem) == "was switched on and has no firmware yet");
+  CHECK(english(none.failure().problem) == "the Falcon was switched on and has no firmware yet");
   rig.badEchoes = 2;
   {
     auto device = opened();
@@ -130,7 +130,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
   rig.badEchoes = 1000;
   auto never = openFalcon(settingsWith(anyFalconFirmware()));
   REQUIRE_FALSE(never);
-  CHECK(english(never.failure().problem) == "does not accept the firmware; tried 10 times");
+  CHECK(english(never.failure().problem) == "the Falcon did not accept the firmware in 10 attempts");
 }
 
 TEST_CASE("Falcon: until it knows where it is, there are no readings and no force") {
@@ -215,5 +215,5 @@ TEST_CASE("Falcon: unplugged it is lost, and comes back with its firmware and wi
   CHECK(device->counts().firmwareTries == 2);
   auto second = openFalcon({.number = 1, .firmware = {}, .period_s = 0.01});
   REQUIRE_FALSE(second);
-  CHECK(english(second.failure().problem) == "is not connected");
+  CHECK(english(second.failure().problem) == "the Falcon is not connected");
 }

@@ -303,7 +303,7 @@ class Formats(unittest.TestCase):
         out = os.path.join(self.folder, "one.h")
         done = self.run_play("export", SAMPLES / "B.button.json", "--format", "openxr", "-o", out)
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("one.h: would be the name of two exported files. Give the file another ending than .h", done.stderr)
+        self.assertIn("one.h: two exported files would get this name. Give the file another ending than .h", done.stderr)
         self.assertFalse(os.path.exists(out))
 
     def test_openxr(self):

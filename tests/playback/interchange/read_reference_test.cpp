@@ -298,7 +298,7 @@ TEST_CASE("Foreign files that cannot be are refused with the place") {
           .find("effects[0].id") != std::string::npos);
   std::string many = continuous;
   for (int i = 0; i < 7000; ++i) many += "," + continuous;
-  CHECK(refusal(ahap(many)).find("in total, which overlap") != std::string::npos);
+  CHECK(refusal(ahap(many)).find("overlap and last") != std::string::npos);
 }
 
 TEST_CASE("Cut-off and changed reference files are refused or played within full scale") {

@@ -140,7 +140,8 @@ TEST_CASE("magnetic key: settings that contradict each other are refused by name
        "release point: 2 mm does not lie between rest and the actuation point, 2 mm. Set less than 2 mm"},
       {at(2, -0.5), "release point: -0.5 mm"},
       {keyOf(good, 1.75),
-       "top dead zone: 1.75 mm from rest reaches past the release point, 1.5 mm. Set at most 1.5"},
+       "top dead zone: a top dead zone of 1.75 mm reaches past the release point, which is at 1.5 mm. Set at "
+       "most 1.5"},
       {keyOf(good, -0.5), "top dead zone: -0.5 mm"},
       {keyOf(good, nan), "top dead zone: "},
       {keyOf(good, 0, 2.5),

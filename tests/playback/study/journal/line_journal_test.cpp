@@ -100,7 +100,7 @@ TEST_CASE("journal: a second one is refused while the first lives") {
     REQUIRE(first);
     const Result<LineJournal> second = LineJournal::open(file.path());
     REQUIRE_FALSE(second);
-    CHECK(second.failure().sentence().find("another process") != std::string::npos);
+    CHECK(second.failure().sentence().find("another program is writing") != std::string::npos);
   }
   CHECK(LineJournal::open(file.path()));
 }
