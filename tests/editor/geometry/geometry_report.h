@@ -27,7 +27,8 @@ class GeometryReport : public QObject {
 
 /// The JSON it writes: {"windows": [{"title", "name", "active", "exposed", "rect"}], "widgets": [{"name",
 /// "class", "window", "rect", "enabled", "focus", "text"?, "checked"?, "axes"?}]}; rect is [x, y, width,
-/// height] in screen pixels, axes {"x": [label, left value, right value], "y": [label, lower, upper], "rect"}.
+/// height] in screen pixels, axes {"x": [label, left value, right value], "y": [label, lower, upper],
+/// "rect"}.
 QByteArray geometryJson();
 
 }  // namespace detent::editor

@@ -11,8 +11,8 @@
 
 namespace detent::test {
 
-/// True if a run says anything about the program; otherwise prints that the scene was skipped. A force above the
-/// largest fails here. Only on Catch's thread.
+/// True if a run says anything about the program; otherwise prints that the scene was skipped. A force above
+/// the largest fails here. Only on Catch's thread.
 inline bool judged(const Witness& device, const std::string& scene) {
   CHECK_FALSE(device.tooStrong);
   if (device.judged) return true;

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <pty.h>
 #include <stdlib.h>
 #include <termios.h>
 #include <unistd.h>
@@ -27,13 +28,14 @@ constexpr double notYet_s = 1e6;
 // Longest sleep: the loop of a punctual device is well within the wait of a program at 1 kHz.
 constexpr double sleep_s = 0.0004;
 // The program takes an answer as missing after this share of its period (answerWaitOfPeriod in
-// playback/device/round_trips.h). A question waits at most as long as the device's loop takes.
+// playback/device/round_trips.h). A question waits at most as long as the device's loop takes; and the
+// kernel passes it on when it finds time, which a byte through a port of the device's own shows.
 constexpr double awaitedOfPeriod = 0.85;
-// This many missing answers in a row are bridged (heldReadings in playback/realtime/force_program.h). A punctual
-// answer between late ones does not make the force rise at once.
+// This many missing answers in a row are bridged (heldReadings in playback/realtime/force_program.h). A
+// punctual answer between late ones does not make the force rise at once.
 constexpr int harmless = 3, row_periods = 2 * (harmless + 1);
-// As many of 40 answers may be slow without effect on the delay of the link, which the program measures for up to
-// 0.2 s after the greeting (RoundTrips::usual_s).
+// As many of 40 answers may be slow without effect on the delay of the link, which the program measures for
+// up to 0.2 s after the greeting (RoundTrips::usual_s).
 constexpr int measured_periods = 40;
 constexpr double measuredUntil_s = 0.25;
 
@@ -58,10 +60,17 @@ PtyDevice::PtyDevice(const PtySettings& settings)
            ("plant-" + std::to_string(::getpid()) + "-" + std::to_string(++made) + ".port"))
               .string();
   plug();
+  termios raw{};
+  ::cfmakeraw(&raw);
+  if (::openpty(&witness_[0], &witness_[1], nullptr, &raw, nullptr) != 0)
+    throw std::runtime_error("no pseudo terminal can be had");
+  ::fcntl(witness_[0], F_SETFL, O_NONBLOCK);
+  for (const int end : witness_) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 }
 
 PtyDevice::~PtyDevice() {
   halt();
+  for (const int end : witness_) ::close(end);
   std::error_code ignored;
   std::filesystem::remove(port_, ignored);
 }
@@ -146,6 +155,12 @@ void PtyDevice::move() {
 }
 
 void PtyDevice::watch(double loop_s) {
+  char byte = '.';
+  if (sent_s_ >= 0 && ::read(witness_[0], &byte, 1) == 1) {
+    loop_s = std::max(loop_s, now_s_ - sent_s_);
+    sent_s_ = -1;
+  }
+  if (sent_s_ < 0 && ::write(witness_[1], &byte, 1) == 1) sent_s_ = now_s_;
   if (firstLine_s_ < 0 || loop_s <= awaitedOfPeriod * settings_.period_s) return;
   const int periods = static_cast<int>(std::ceil(loop_s / settings_.period_s));
   late_.push_back({now_s_, periods});

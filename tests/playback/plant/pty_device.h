@@ -3,6 +3,7 @@
 // A device at the far end of a serial port: a pty whose other end a program opens, a thread that answers
 // lines late, and a handle with a finger that moves in real time. What a device says is the subclass's.
 
+#include <array>
 #include <atomic>
 #include <deque>
 #include <optional>
@@ -107,7 +108,9 @@ class PtyDevice {
     double at_s;
     int periods;
   };
-  std::deque<Late> late_;  ///< the latest loops that took so long that an answer may have been missed
+  std::deque<Late> late_;               ///< the latest loops and passages that may have cost an answer
+  std::array<int, 2> witness_{-1, -1};  ///< here, there: a port of its own
+  double sent_s_ = -1;                  ///< since then a byte is on its way through it; < 0: none is
   std::deque<Waiting> waiting_;
   std::vector<PtyMoment> moments_;
   std::vector<std::string> heard_;

@@ -22,9 +22,10 @@ PLANT_STEP_S = 0.0002
 class Lateness:
     """Counts the periods of the program (1 ms) in which this computer kept the board from answering in time.
 
-    A question comes in each period and waits at most as long as the board's loop takes. The program takes an answer as missing
-    after 0.85 of a period (answerWaitOfPeriod in playback/device/round_trips.h), so a loop longer than that can cost an answer in
-    each period that it touches. Two rules bound what is harmless, both with 3: the safeguard bridges 3 missing answers in a row
+    A question comes in each period and waits at most as long as the board's loop takes; and the kernel passes it on when it finds
+    time, which a byte through a port of the board's own shows. The program takes an answer as missing after 0.85 of a period
+    (answerWaitOfPeriod in playback/device/round_trips.h), so a loop or a passage longer than that can cost an answer in each period
+    that it touches. Two rules bound what is harmless, both with 3: the safeguard bridges 3 missing answers in a row
     (heldReadings in playback/realtime/force_program.h), and the delay of the link is that of the 37th fastest of the first 40
     answers (RoundTrips::usual_s). With more, drop-outs or a slow link may be the board's own.
     """
@@ -35,6 +36,32 @@ class Lateness:
     def __init__(self):
         self.heard_s = self.began_s = None  # first line of the program, and first that sets a force: there the delay is measured
         self.longest_s, self.late = 0.0, []  # late: (end, periods) of the loops that were
+        self.port = None  # here, there; a byte is on its way since sent_s
+        self.before_s = self.sent_s = None
+
+    def open(self):
+        self.port = os.openpty()
+        for end in self.port:
+            tty.setraw(end)
+        os.set_blocking(self.port[0], False)
+
+    def close(self):
+        for end in self.port:
+            os.close(end)
+
+    def loop(self, now_s):
+        """Call once in each loop of the board."""
+        took_s = now_s - self.before_s if self.before_s is not None else 0.0
+        try:
+            if self.sent_s is not None and os.read(self.port[0], 1):
+                took_s, self.sent_s = max(took_s, now_s - self.sent_s), None
+        except BlockingIOError:
+            pass
+        if self.sent_s is None:
+            os.write(self.port[1], b".")
+            self.sent_s = now_s
+        self.add(now_s, took_s)
+        self.before_s = now_s
 
     def add(self, end_s, took_s):
         if self.heard_s is None:
@@ -157,14 +184,14 @@ def play(program, scene, board):
     outcome.kept_before = board.kept()
     answers, received, moments = deque(), b"", outcome.moments
     began_s, plant_s, wakes_s, ended_s = None, 0.0, math.inf, math.inf
-    fault_done, second, woken_s, back_s = False, None, math.inf, math.inf
+    fault_done, second, back_s = False, None, math.inf
+    outcome.lateness.open()
     fault_mm, turn = 0.0, 0
     start_s = time.monotonic()
     first = Program(arguments)
     while True:
         now_s = time.monotonic() - start_s
-        outcome.lateness.add(now_s, now_s - woken_s)
-        woken_s = now_s
+        outcome.lateness.loop(now_s)
         if now_s > scene.wait_s or now_s > ended_s + 0.1:
             break
         since_s = -1.0 if began_s is None else now_s - began_s
@@ -237,6 +264,7 @@ def play(program, scene, board):
     if master >= 0:
         os.close(master)
         os.close(slave)
+    outcome.lateness.close()
     folder.cleanup()
     outcome.kept_after, outcome.unknown = board.kept(), board.unknown
     return outcome
