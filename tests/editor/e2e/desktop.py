@@ -14,6 +14,7 @@ from pathlib import Path
 PATIENCE_S = 60.0
 LOCALES = {"en": "C.UTF-8", "de": "de_DE.UTF-8"}
 REST_S = 0.35  # what has not moved for so long lies still; the report is written every 0.1 s
+REPORTS = 3  # and in so many reports, which come later from a busy program
 
 
 class NotThere(AssertionError):
@@ -169,8 +170,8 @@ class Editor:
         except (FileNotFoundError, json.JSONDecodeError):
             return {"windows": [], "widgets": []}
 
-    def find(self, name, window=None, **wanted):
-        for widget in self.report()["widgets"]:
+    def find(self, name, window=None, report=None, **wanted):
+        for widget in (report or self.report())["widgets"]:
             if widget["name"] == name and window in (None, widget["window"]) and all(widget.get(k) == v for k, v in wanted.items()):
                 return widget
         return None
@@ -180,16 +181,14 @@ class Editor:
         return wait_for(f"widget {name} {wanted or ''}", lambda: self.find(name, window, **wanted), patience_s)
 
     def at_rest(self, name, window=None, **wanted):
-        """As widget(), but waits until it lies still too: nobody aims at what is moving."""
-        seen, since = None, 0.0
+        """As widget(), but waits until it lies still too, in a window that is on the screen: nobody aims at what is moving."""
+        rest = Rest(self)
 
         def still():
-            nonlocal seen, since
-            now = self.find(name, window, **wanted)
-            place = now and (now["rect"], now.get("page"))
-            if place != seen:
-                seen, since = place, time.monotonic()
-            return now if now and time.monotonic() - since >= REST_S else None
+            report = self.report()
+            now = self.find(name, window, report, **wanted)
+            shown = now and any(w["name"] == now["window"] and w["exposed"] for w in report["windows"])
+            return rest.of(shown and (now["rect"], now.get("page"))) and now
 
         return wait_for(f"widget {name} {wanted or ''} to lie still", still)
 
@@ -242,18 +241,29 @@ class Editor:
         self.process.wait(20)
 
 
+class Rest:
+    """Whether a place lies still: for REST_S, and in REPORTS further reports."""
+
+    def __init__(self, editor):
+        self.file, self.seen, self.since, self.times = editor.geometry, None, 0.0, set()
+
+    def of(self, place):
+        """True if the place, which a false one is not, was this for long enough."""
+        if place != self.seen:
+            self.seen, self.since, self.times = place, time.monotonic(), set()
+        if self.file.exists():
+            self.times.add(self.file.stat().st_mtime_ns)
+        return bool(place) and time.monotonic() - self.since >= REST_S and len(self.times) > REPORTS
+
+
 def read_to_its_end(editor, dialog):
     """Until what was given to the import is read, and for a while nothing more: a message about it may move the page."""
     time.sleep(0.2)  # what was done last reaches the program, and its report the file
-    seen, since = None, 0.0
+    rest = Rest(editor)
 
     def read():
-        nonlocal seen, since
         view = editor.find("pageView", dialog)
-        place = view and not view["reading"] and (view["rect"], view["page"])
-        if not place or place != seen:
-            seen, since = place, time.monotonic()
-        return bool(seen) and time.monotonic() - since >= REST_S
+        return rest.of(view and not view["reading"] and (view["rect"], view["page"]))
 
     wait_for("the page to be read", read, 2 * PATIENCE_S)
 

@@ -59,6 +59,7 @@ class Walk:
         close_if_open(self.editor, dialog, self.desktop)
 
     def save_under_a_name(self):
+        self.editor.active("mainWindow")
         self.desktop.key("ctrl+s")
         self.editor.replace_text("fileNameEdit", str(self.saved))
         self.desktop.key("Return")
@@ -88,6 +89,7 @@ class Walk:
     def save(self):
         # A document that is still being recovered has no mark either, and nothing would be waited for.
         wait_for("something to save", lambda: any("*" in text for text in self.editor.widget("tabBar")["tabs"]))
+        self.editor.active("mainWindow")
         self.desktop.key("ctrl+s")
         wait_for("the mark to go", lambda: all("*" not in text for text in self.editor.find("tabBar")["tabs"]))
 

@@ -4,6 +4,8 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QDateTime>
+#include <QFile>
 #include <QHeaderView>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -17,6 +19,7 @@
 #include <QTableWidget>
 #include <QTransform>
 #include <QWidget>
+#include <QWindow>
 
 #include <qcustomplot.h>
 
@@ -119,6 +122,7 @@ QByteArray geometryJson() {
                                  {"name", window->objectName()},
                                  {"active", window->isActiveWindow()},
                                  {"modal", window->isModal()},
+                                 {"exposed", window->windowHandle() && window->windowHandle()->isExposed()},
                                  {"rect", rectJson(onScreen(*window, window->rect()))}});
   for (const QWidget* widget : QApplication::allWidgets())
     if (worthTelling(*widget)) widgets.append(widgetJson(*widget));
@@ -135,7 +139,12 @@ GeometryReport::GeometryReport(QString file, QObject* parent) : QObject(parent),
 
 void GeometryReport::write() {
   const QByteArray now = geometryJson();
-  if (now == last_) return;
+  if (now == last_) {
+    QFile same(file_);
+    if (same.open(QIODevice::ReadWrite))
+      same.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);
+    return;
+  }
   QSaveFile file(file_);
   if (file.open(QIODevice::WriteOnly) && file.write(now) == now.size() && file.commit()) last_ = now;
 }

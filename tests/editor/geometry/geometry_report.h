@@ -9,7 +9,8 @@
 namespace detent::editor {
 
 /// While it lives, writes names, classes, texts and screen rectangles of all visible widgets as JSON to a
-/// file whenever they changed, atomically, ten times a second at most. Plots also give their axes, so that
+/// file whenever they changed, atomically, ten times a second at most. Where nothing changed, only the file's
+/// time does: a report that stays old is one of a program that is busy. Plots also give their axes, so that
 /// values can be found on the screen. GUI thread.
 class GeometryReport : public QObject {
   Q_OBJECT
@@ -24,9 +25,10 @@ class GeometryReport : public QObject {
   QTimer timer_;
 };
 
-/// The JSON it writes: {"windows": [{"title", "name", "active", "rect"}], "widgets": [{"name", "class",
-/// "window", "rect", "enabled", "focus", "text"?, "checked"?, "axes"?}]}; rect is [x, y, width, height] in
-/// screen pixels, axes {"x": [label, left value, right value], "y": [label, lower, upper], "rect"}.
+/// The JSON it writes: {"windows": [{"title", "name", "active", "exposed", "rect"}], "widgets": [{"name",
+/// "class", "window", "rect", "enabled", "focus", "text"?, "checked"?, "axes"?}]}; rect is [x, y, width,
+/// height] in screen pixels, axes {"x": [label, left value, right value], "y": [label, lower, upper],
+/// "rect"}.
 QByteArray geometryJson();
 
 }  // namespace detent::editor

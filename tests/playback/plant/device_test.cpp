@@ -18,6 +18,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/playback/plant/closed_loop.h"
 #include "tests/playback/plant/finger.h"
+#include "tests/playback/plant/judged.h"
 #include "tests/playback/plant/odrive_emulator.h"
 #include "tests/playback/plant/serial_emulator.h"
 
@@ -83,6 +84,7 @@ struct SerialRun {
   Ran ran;
   Felt felt{};
   double largest_N = 0;
+  Witness device{};
 };
 SerialRun serialAt(double replyDelay_s) {
   SerialEmulatorSettings settings;
@@ -94,6 +96,7 @@ SerialRun serialAt(double replyDelay_s) {
   device.halt();
   run.felt = feltAtBottom(device);
   run.largest_N = device.largestMotor_N();
+  run.device = device.witness(3.0001);
   return run;
 }
 
@@ -102,6 +105,7 @@ SerialRun serialAt(double replyDelay_s) {
 TEST_CASE("a microcontroller that answers at once gives the force of the graph and no more", "[serial]") {
   const SerialRun run =
       undisturbed([] { return serialAt(0); }, [](const SerialRun& r) { return r.felt.useful(); });
+  if (!judged(run.device, "a microcontroller that answers at once")) return;
   INFO(run.ran.said);
   CHECK(run.ran.exitCode == 0);
   CHECK(run.felt.useful());
@@ -119,6 +123,7 @@ TEST_CASE("replies of 1 to 8 ms: useful force, or a refusal with the reason", "[
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SerialRun run = runs[i].get();
+    if (!judged(run.device, "a microcontroller that answers late")) continue;
     INFO(delays_s[i] * 1000 << " ms, exit code " << run.ran.exitCode << ": " << run.ran.said);
     CHECK(run.largest_N <= 3.0001);
     if (run.ran.refused()) {
@@ -171,27 +176,45 @@ TEST_CASE("an uploaded table gives no more than the largest force either", "[upl
   }
 }
 
-TEST_CASE("a button with graphs at several speeds is not uploaded, with the way out", "[upload]") {
+namespace {
+
+struct Uploaded {
+  Ran ran;
+  UploadedTable table{};
+  Witness device{};
+  bool ranTable() const { return !table.rows.empty(); }
+};
+Uploaded uploaded(const std::string& button) {
   SerialEmulator device({});
-  const Ran ran = play("../../tests/model/file/fixtures/version-5", "serial:" + device.port(),
-                       {"--seconds", "0.2", "--max-N", "5", "--step-mm", "0.001", "--upload"});
+  Uploaded run{play(button, "serial:" + device.port(),
+                    {"--seconds", "0.2", "--max-N", "5", "--step-mm", "0.001", "--upload"})};
   device.halt();
-  INFO(ran.said);
-  CHECK(ran.exitCode == 2);
-  CHECK_FALSE(device.ranTable());
-  CHECK_THAT(ran.said, Catch::Contains("can hold the force of only one speed; this button has graphs at 3") &&
-                           Catch::Contains("convert --speed"));
+  run.table = device.table();
+  run.device = device.witness(5.0001);
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("a button with graphs at several speeds is not uploaded, with the way out", "[upload]") {
+  const Uploaded run = undisturbed([] { return uploaded("../../tests/model/file/fixtures/version-5"); },
+                                   [](const Uploaded& r) { return r.ran.exitCode == 2; });
+  if (!judged(run.device, "a button with graphs at several speeds")) return;
+  INFO(run.ran.said);
+  CHECK(run.ran.exitCode == 2);
+  CHECK_FALSE(run.ranTable());
+  CHECK_THAT(run.ran.said,
+             Catch::Contains("can hold the force of only one speed; this button has graphs at 3") &&
+                 Catch::Contains("convert --speed"));
 }
 
 TEST_CASE("uploaded, by the host and simulated: the same force under the same limits", "[upload]") {
   for (const char* button : {"B", "push"}) {
-    SerialEmulatorSettings settings;
-    SerialEmulator device(settings);
-    const Ran ran = play(button, "serial:" + device.port(),
-                         {"--seconds", "0.2", "--max-N", "5", "--step-mm", "0.001", "--upload"});
-    device.halt();
-    INFO(button << ": " << ran.said);
-    REQUIRE(device.ranTable());
+    const Uploaded run =
+        undisturbed([&] { return uploaded(button); }, [](const Uploaded& r) { return r.ranTable(); });
+    if (!judged(run.device, std::string("uploaded: ") + button)) continue;
+    INFO(button << ": " << run.ran.said);
+    REQUIRE(run.ranTable());
     playback::ForceDeviceProfile profile = playback::simulatedDevice();
     profile.limits.force_N = 5;
     auto program = std::make_unique<playback::ForceProgram>(preparedFor(sampleButton(button), profile));
@@ -203,8 +226,7 @@ TEST_CASE("uploaded, by the host and simulated: the same force under the same li
     };
     for (int k = 0; k < 400; ++k) forceAt(-0.5);
     for (double at_mm = -0.5; at_mm < 5.5; at_mm += 0.0005) {  // at 0.5 mm/s damping is negligible
-      const double host_N = forceAt(at_mm),
-                   uploaded_N = std::min(5.0, device.table().force_N(at_mm, true, 0));
+      const double host_N = forceAt(at_mm), uploaded_N = std::min(5.0, run.table.force_N(at_mm, true, 0));
       INFO(button << " at " << at_mm << " mm");
       REQUIRE(std::abs(host_N - uploaded_N) < 0.03);
     }
@@ -220,6 +242,7 @@ struct Exchanged {
   double worst_N = 1e9;   ///< largest difference between the table and the other button, both strokes
   int rowsSent = 0;       ///< rows sent, including lost ones
   std::string refused{};
+  Witness device{};
 };
 
 constexpr double uploaded_N = 3;
@@ -245,7 +268,10 @@ Exchanged exchanged(const std::string& from, const std::string& to, double reply
   Exchanged e;
   {
     const auto running = playback::ForcePlayer::start(sampleButton(from), player);
-    if (!running) return Exchanged{.refused = running.failure().sentence()};
+    if (!running) {
+      device.halt();
+      return Exchanged{.refused = running.failure().sentence(), .device = device.witness(max_N + 1e-4)};
+    }
     pause(0.5);
     const Result<Done> taken = (*running)->setButton(sampleButton(to));
     if (!taken) e.refused = taken.failure().sentence();
@@ -253,6 +279,7 @@ Exchanged exchanged(const std::string& from, const std::string& to, double reply
     pause(1.2 + 300 * replyDelay_s);
   }
   device.halt();
+  e.device = device.witness(max_N + 1e-4);
   e.rowsSent = device.rowsSinceTable();
   e.largest_N = device.largestMotor_N();
   bool was = false;
@@ -294,6 +321,7 @@ TEST_CASE(
                     [](const Exchanged& r) {
                       return r.risen_s > r.gone_s + 0.05 && r.worst_N < 0.03 && r.overRamp_N <= 0;
                     });
+    if (!judged(e.device, "an edit of an uploaded table")) continue;
     INFO("answers after " << replyDelay_s << " s; gone at " << e.gone_s << " s, back at " << e.risen_s);
     CHECK(e.refused.empty());
     CHECK(e.gone_s > 0);
@@ -315,6 +343,7 @@ TEST_CASE("rows that get lost on a link slower than eight questions are missed: 
            r.rowsSent >= 2 * static_cast<int>(settings.rows);
   };
   const Exchanged e = undisturbed([&] { return exchanged("A", "B", 0.012, settings); }, fine);
+  if (!judged(e.device, "rows that get lost")) return;
   INFO("gone at " << e.gone_s << " s, back at " << e.risen_s << " s, " << e.rowsSent << " rows sent "
                   << e.refused);
   CHECK(e.rowsSent >= 2 * static_cast<int>(settings.rows));
@@ -329,6 +358,7 @@ struct Regained {
   double before_N = 0, untilArmed_N = 0, after_N = 0;  ///< largest
   playback::ForceHalt forceAt{};
   std::string refused{};
+  Witness device{};
   bool fine(playback::ForceHalt halt) const {
     return before_N > 0.3 && untilArmed_N == 0 && forceAt == halt && after_N > 0.3 &&
            after_N <= uploaded_N + 1e-4;
@@ -346,7 +376,10 @@ Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
   double armed_s = 0;
   {
     const auto running = playback::ForcePlayer::start(sampleButton("A"), uploadingTo(device));
-    if (!running) return Regained{.refused = running.failure().sentence()};
+    if (!running) {
+      device.halt();
+      return Regained{.refused = running.failure().sentence(), .device = device.witness(uploaded_N + 1e-4)};
+    }
     armed_s = 1.6;
     pause(armed_s);
     r.forceAt = (*running)->status().halt;
@@ -354,6 +387,7 @@ Regained regained(SerialEmulatorSettings settings, double replyDelay_s) {
     pause(1.2 + 26 * replyDelay_s);  // a line with each answer
   }
   device.halt();
+  r.device = device.witness(uploaded_N + 1e-4);
   for (const PtyMoment& moment : device.moments()) {
     double& most_N = moment.time_s < 1 ? r.before_N : moment.time_s < armed_s ? r.untilArmed_N : r.after_N;
     if (moment.time_s > 1 && moment.time_s < 1.06) continue;
@@ -391,6 +425,7 @@ TEST_CASE("the loss of an uploaded table is reported, and arming brings its forc
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Taken& taken = all[i];
       const Regained r = runs[i].get();
+      if (!judged(r.device, std::string("the loss of an uploaded table: ") + taken.what)) continue;
       INFO(taken.what << ", answers after " << replyDelay_s << " s " << r.refused);
       CHECK(r.before_N > 0.3);
       CHECK(r.untilArmed_N == 0);
@@ -405,6 +440,7 @@ TEST_CASE("an edit that no uploaded table holds is refused with the reason, and 
           "[upload]") {
   const Exchanged e = undisturbed([] { return exchanged("A", "latch", 0); },
                                   [](const Exchanged& r) { return r.largest_N > 0.2; });
+  if (!judged(e.device, "an edit that no uploaded table holds")) return;
   CHECK_THAT(e.refused, Catch::Contains("can run only one state; this button has 2"));
   CHECK(e.largest_N > 0.2);
 }
@@ -416,7 +452,9 @@ struct OdriveRun {
   Felt felt{};
   double largest_N = 0, firmwareLimit_N = 0, velocityLimit_mm_per_s = 0;
   bool expired = false, armed = false;
+  Witness device{};
 };
+constexpr double digits_N = 0.01;  // torques have six digits
 OdriveRun odrive(OdriveEmulatorSettings settings, const std::string& max_N = "3") {
   OdriveEmulator device(settings);
   OdriveRun run{play("B", "odrive:" + device.port(),
@@ -428,6 +466,7 @@ OdriveRun odrive(OdriveEmulatorSettings settings, const std::string& max_N = "3"
   run.velocityLimit_mm_per_s = device.armedVelocityLimit_mm_per_s();
   run.expired = device.watchdogExpired();
   run.armed = device.everArmed();
+  run.device = device.witness(std::stod(max_N) + digits_N);
   return run;
 }
 OdriveEmulatorSettings odriveWithFinger() {
@@ -461,6 +500,7 @@ const std::vector<OdriveRun>& lateOdrives() {
 TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
   const OdriveRun run = undisturbed([] { return odrive(odriveWithFinger()); },
                                     [](const OdriveRun& r) { return r.felt.useful() && !r.expired; });
+  if (!judged(run.device, "an ODrive that answers at once")) return;
   INFO(run.ran.said);
   CHECK(run.ran.exitCode == 0);
   CHECK(run.armed);
@@ -470,7 +510,9 @@ TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
 }
 
 TEST_CASE("an ODrive receives the largest force", "[odrive]") {
-  const OdriveRun run = odrive(odriveWithFinger(), "1");
+  const OdriveRun run =
+      undisturbed([] { return odrive(odriveWithFinger(), "1"); }, [](const OdriveRun& r) { return r.armed; });
+  if (!judged(run.device, "an ODrive's largest force")) return;
   INFO(run.ran.said);
   CHECK(run.armed);
   CHECK(run.firmwareLimit_N <= 1.05);
@@ -483,6 +525,7 @@ TEST_CASE("an axis in error is no force, and said", "[odrive]") {
   auto first = std::async(std::launch::async, [&] { return odrive(failed); });
   const auto saysError = [](const OdriveRun& r) { return r.ran.said.find("error") != std::string::npos; };
   const OdriveRun later = undisturbed([&] { return odrive(fails); }, saysError), sooner = first.get();
+  if (!judged(later.device, "an ODrive in error")) return;
   INFO(sooner.ran.said << "; " << later.ran.said);
   CHECK((sooner.ran.refused() || saysError(sooner)));
   CHECK(saysError(later));
@@ -490,6 +533,7 @@ TEST_CASE("an axis in error is no force, and said", "[odrive]") {
 
 TEST_CASE("an ODrive that answers late is not lost to its own watchdog", "[odrive]") {
   for (const OdriveRun& run : lateOdrives()) {
+    if (!judged(run.device, "an ODrive that answers late")) continue;
     INFO("exit code " << run.ran.exitCode << ": " << run.ran.said);
     CHECK_FALSE(run.expired);
     CHECK(run.largest_N <= 3.01);
@@ -498,6 +542,7 @@ TEST_CASE("an ODrive that answers late is not lost to its own watchdog", "[odriv
 
 TEST_CASE("an ODrive that answers late: useful force, or a refusal with the reason", "[odrive]") {
   for (const OdriveRun& run : lateOdrives()) {
+    if (!judged(run.device, "an ODrive that answers late")) continue;
     INFO(run.felt.mean_N << " N, shaking by " << run.felt.shaking_N << " N, exit code " << run.ran.exitCode
                          << ": " << run.ran.said);
     CHECK((run.ran.refused() ? run.ran.said.find("ms") != std::string::npos : run.felt.useful()));
@@ -507,7 +552,9 @@ TEST_CASE("an ODrive that answers late: useful force, or a refusal with the reas
 TEST_CASE("an ODrive's own velocity limit is out of a finger's reach", "[odrive]") {
   OdriveEmulatorSettings settings = odriveWithFinger();
   settings.velocityLimit = 2;
-  const OdriveRun run = odrive(settings);
+  const OdriveRun run =
+      undisturbed([&] { return odrive(settings); }, [](const OdriveRun& r) { return r.armed; });
+  if (!judged(run.device, "an ODrive's velocity limit")) return;
   INFO(run.ran.said);
   CHECK(run.armed);
   CHECK(run.largest_N <= 3.01);
@@ -526,6 +573,7 @@ TEST_CASE("an ODrive that comes back with another count gives force of the right
     return r.felt.useful() || (forceAt && r.felt.mean_N == 0);
   };
   const OdriveRun run = undisturbed([&] { return odrive(settings); }, fine);
+  if (!judged(run.device, "an ODrive that comes back")) return;
   INFO(run.felt.mean_N << " N, shaking by " << run.felt.shaking_N << " N; " << run.ran.said);
   CHECK(run.largest_N <= 3.01);
   CHECK(fine(run));

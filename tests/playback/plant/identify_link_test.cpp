@@ -12,6 +12,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/playback/plant/closed_loop.h"
 #include "tests/playback/plant/finger.h"
+#include "tests/playback/plant/judged.h"
 #include "tests/playback/plant/odrive_emulator.h"
 #include "tests/playback/plant/serial_emulator.h"
 
@@ -37,6 +38,7 @@ struct OnLink {
   nlohmann::json found;
   bool profileKept = false;
   double largestMotor_N = 0;
+  Witness device{};
   bool near(const char* figure, double truth, double within) const {
     return std::abs(found.at(figure).get<double>() - truth) <= within;
   }
@@ -53,20 +55,25 @@ OnLink identifiedOn(const std::string& kind) {
   Settings settings;
   settings.pty.handle = handleOnLink();
   settings.pty.plan = holding(-30);
+  settings.pty.period_s = 0.005;  // --rate
   Emulator device(settings);
   const tests::ProgramResult result =
       folder.run(DETENT_PLAY, {"identify-device", "--device", kind + device.port(), "--range", "30", "--rate",
                                "200", "--step-mm", "0.001", "--json", "-o", "own.device"});
   device.halt();
-  return {result.exitCode, result.err, nlohmann::json::parse(result.out, nullptr, false),
+  return {result.exitCode,
+          result.err,
+          nlohmann::json::parse(result.out, nullptr, false),
           static_cast<bool>(playback::readForceDevice((folder.path() / "own.device").string())),
-          device.largestMotor_N()};
+          device.largestMotor_N(),
+          device.witness(1.01)};
 }
 
 template <class Emulator, class Settings>
 void checkOnLink(const std::string& kind) {
   const OnLink run = undisturbed([&] { return identifiedOn<Emulator, Settings>(kind); },
                                  [](const OnLink& r) { return r.right(); });
+  if (!judged(run.device, kind + " identify-device")) return;
   INFO(run.said << "\n" << run.found.dump(1));
   CHECK(run.right());
   CHECK(run.profileKept);

@@ -11,6 +11,7 @@
 #include "tests/playback/plant/faults.h"
 #include "tests/playback/plant/finger.h"
 #include "tests/playback/plant/handle.h"
+#include "tests/playback/plant/pty_device.h"
 #include "tests/playback/plant/transport.h"
 
 using namespace detent::test;
@@ -203,5 +204,37 @@ TEST_CASE("faults do to readings what their names say", "[plant]") {
     if (k == 11) CHECK(reading.position_mm == Approx(1.0));
     if (k == 14) CHECK(reading.position_mm == Approx(2.9));
     if (k == 29) CHECK(reading.position_mm == Approx(52.9));
+  }
+}
+
+TEST_CASE("of repeated runs the first fine one counts, else one with a punctual device, else none",
+          "[plant]") {
+  struct Run {
+    bool fine = false;
+    Witness device{};
+  };
+  const Run fine{true, {}}, wrong{}, late{false, {.punctual = false}},
+      strong{false, {.punctual = false, .tooStrong = true}};
+  struct Row {
+    std::vector<Run> runs;
+    std::size_t made;
+    bool fine, judged, tooStrong;
+  };
+  const std::vector<Row> rows = {{{fine}, 1, true, true, false},
+                                 {{late, late, fine}, 3, true, true, false},
+                                 {{wrong, fine}, 2, true, true, false},
+                                 {{late, strong, fine}, 2, false, true, true},
+                                 {{wrong, wrong, wrong, wrong, wrong}, 5, false, true, false},
+                                 {{late, wrong, late, late, late}, 5, false, true, false},
+                                 {{late, late, late, late, late}, 5, false, false, false}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    std::size_t made = 0;
+    const Run run = undisturbed([&] { return row.runs.at(made++); }, [](const Run& r) { return r.fine; });
+    INFO("row " << i);
+    CHECK(made == row.made);
+    CHECK(run.fine == row.fine);
+    CHECK(run.device.judged == row.judged);
+    CHECK(run.device.tooStrong == row.tooStrong);
   }
 }

@@ -5,11 +5,14 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <pty.h>
 #include <stdlib.h>
 #include <termios.h>
 #include <unistd.h>
@@ -22,6 +25,19 @@ double clock_s() {
 }
 
 constexpr double notYet_s = 1e6;
+// Longest sleep: the loop of a punctual device is well within the wait of a program at 1 kHz.
+constexpr double sleep_s = 0.0004;
+// The program takes an answer as missing after this share of its period (answerWaitOfPeriod in
+// playback/device/round_trips.h). A question waits at most as long as the device's loop takes; and the
+// kernel passes it on when it finds time, which a byte through a port of the device's own shows.
+constexpr double awaitedOfPeriod = 0.85;
+// This many missing answers in a row are bridged (heldReadings in playback/realtime/force_program.h). A
+// punctual answer between late ones does not make the force rise at once.
+constexpr int harmless = 3, row_periods = 2 * (harmless + 1);
+// As many of 40 answers may be slow without effect on the delay of the link, which the program measures for
+// up to 0.2 s after the greeting (RoundTrips::usual_s).
+constexpr int measured_periods = 40;
+constexpr double measuredUntil_s = 0.25;
 
 // A device keeps time by itself; where the system grants it, this one does too.
 void keepTime() {
@@ -44,10 +60,17 @@ PtyDevice::PtyDevice(const PtySettings& settings)
            ("plant-" + std::to_string(::getpid()) + "-" + std::to_string(++made) + ".port"))
               .string();
   plug();
+  termios raw{};
+  ::cfmakeraw(&raw);
+  if (::openpty(&witness_[0], &witness_[1], nullptr, &raw, nullptr) != 0)
+    throw std::runtime_error("no pseudo terminal can be had");
+  ::fcntl(witness_[0], F_SETFL, O_NONBLOCK);
+  for (const int end : witness_) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 }
 
 PtyDevice::~PtyDevice() {
   halt();
+  for (const int end : witness_) ::close(end);
   std::error_code ignored;
   std::filesystem::remove(port_, ignored);
 }
@@ -131,6 +154,26 @@ void PtyDevice::move() {
   }
 }
 
+void PtyDevice::watch(double loop_s) {
+  char byte = '.';
+  if (sent_s_ >= 0 && ::read(witness_[0], &byte, 1) == 1) {
+    loop_s = std::max(loop_s, now_s_ - sent_s_);
+    sent_s_ = -1;
+  }
+  if (sent_s_ < 0 && ::write(witness_[1], &byte, 1) == 1) sent_s_ = now_s_;
+  if (firstLine_s_ < 0 || loop_s <= awaitedOfPeriod * settings_.period_s) return;
+  const int periods = static_cast<int>(std::ceil(loop_s / settings_.period_s));
+  late_.push_back({now_s_, periods});
+  const auto within = [&](int window_periods) {
+    return std::accumulate(late_.begin(), late_.end(), 0, [&](int sum, const Late& late) {
+      return sum + (now_s_ - late.at_s < window_periods * settings_.period_s ? late.periods : 0);
+    });
+  };
+  while (now_s_ - late_.front().at_s >= measured_periods * settings_.period_s) late_.pop_front();
+  const bool measured = now_s_ - firstLine_s_ < measuredUntil_s;
+  if (within(measured ? measured_periods : row_periods) > harmless) punctual_ = false;
+}
+
 void PtyDevice::events() {
   const double since_s = scene_s();
   if (since_s < 0) return;
@@ -153,7 +196,8 @@ void PtyDevice::run() {
   keepTime();
   const double start_s = clock_s();
   while (!ending_) {
-    now_s_ = clock_s() - start_s;
+    const double before_s = std::exchange(now_s_, clock_s() - start_s);
+    watch(now_s_ - before_s);
     move();
     events();
     if (master_ >= 0) read();
@@ -162,12 +206,13 @@ void PtyDevice::run() {
         break;
       waiting_.pop_front();
     }
-    double sleep_s = waiting_.empty() ? 0.001 : std::clamp(waiting_.front().due_s - now_s_, 0.0, 0.001);
-    timespec wait{0, static_cast<long>(sleep_s * 1e9)};
+    const double left_s =
+        waiting_.empty() ? sleep_s : std::clamp(waiting_.front().due_s - now_s_, 0.0, sleep_s);
+    timespec wait{0, static_cast<long>(left_s * 1e9)};
     pollfd watched{master_, POLLIN, 0};
     // Without a partner a pty reports a hang-up at once, and for ever: sleep instead.
     if (master_ >= 0 && ::ppoll(&watched, 1, &wait, nullptr) > 0 && (watched.revents & POLLIN) == 0) {
-      timespec moment{0, 500000};
+      timespec moment{0, static_cast<long>(sleep_s * 1e9)};
       ::nanosleep(&moment, nullptr);
     } else if (master_ < 0) {
       ::nanosleep(&wait, nullptr);

@@ -3,8 +3,10 @@
 // A device at the far end of a serial port: a pty whose other end a program opens, a thread that answers
 // lines late, and a handle with a finger that moves in real time. What a device says is the subclass's.
 
+#include <array>
 #include <atomic>
 #include <deque>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -28,7 +30,15 @@ struct PtySettings {
   /// The scene (finger and faults) begins with the first line, or waits until the device has something to
   /// run: a program may take its time to measure a slow link and to push a free handle first.
   bool sceneWaits = false;
+  double period_s = 0.001;  ///< of the program's questions, by which the device's punctuality is judged
   std::uint64_t seed = 1;
+};
+
+/// The device's part in a run, which decides if the run says anything about the program.
+struct Witness {
+  bool punctual = true;
+  bool tooStrong = false;  ///< more than the largest force: no lateness excuses it
+  bool judged = true;      ///< false: the device was late in each of the runs
 };
 
 /// One moment of the device, taken every millisecond. Its world stands still until the first line comes.
@@ -54,6 +64,7 @@ class PtyDevice {
   /// Received lines, without their ends.
   const std::vector<std::string>& heard() const { return heard_; }
   double largestMotor_N() const;
+  Witness witness(double max_N) const { return {punctual_, largestMotor_N() > max_N}; }
 
  protected:
   /// Starts the thread: at the end of a subclass's constructor.
@@ -83,6 +94,7 @@ class PtyDevice {
   void events();
   void read();
   void move();
+  void watch(double loop_s);
 
   PtySettings settings_;
   double sceneFrom_s_;  ///< since the first line
@@ -91,7 +103,14 @@ class PtyDevice {
   std::string port_, partial_;
   int master_ = -1;
   double now_s_ = 0, firstLine_s_ = -1, unplugged_s_ = -1, nextMoment_s_ = 0;
-  bool resetDone_ = false, unplugDone_ = false;
+  bool resetDone_ = false, unplugDone_ = false, punctual_ = true;
+  struct Late {
+    double at_s;
+    int periods;
+  };
+  std::deque<Late> late_;               ///< the latest loops and passages that may have cost an answer
+  std::array<int, 2> witness_{-1, -1};  ///< here, there: a port of its own
+  double sent_s_ = -1;                  ///< since then a byte is on its way through it; < 0: none is
   std::deque<Waiting> waiting_;
   std::vector<PtyMoment> moments_;
   std::vector<std::string> heard_;
@@ -99,12 +118,22 @@ class PtyDevice {
   std::thread thread_;
 };
 
-/// The first run of up to five that is fine, else the last: a machine that stands still for a moment makes
-/// device and program late, which is no verdict on either. Five times in a row are one.
+/// The first run of up to five that is fine or too strong, else one with a punctual device: a machine that
+/// stands still for a moment makes device and program late, which is no verdict on either. Where the device was
+/// late in all of them, the run is not judged. A run has a Witness `device`.
 template <class Run, class Fine>
 auto undisturbed(const Run& runs, const Fine& fine) {
   auto run = runs();
-  for (int again = 0; again < 4 && !fine(run); ++again) run = runs();
+  std::optional<decltype(run)> punctual;
+  for (int left = 4; !fine(run) && !run.device.tooStrong; --left) {
+    if (run.device.punctual) punctual.emplace(run);
+    if (left == 0) {
+      if (punctual) return *punctual;
+      run.device.judged = false;
+      break;
+    }
+    run = runs();
+  }
   return run;
 }
 

@@ -6,8 +6,8 @@
 
 Runs `detent-play force` at the plant and the boards beside this file and prints one row for each fault: runs,
 largest force, the longest time from the fault to no force, the largest distance beyond the travel with force on.
-A run that the computer kept from answering is repeated. Exit code 1 where a force was above the limit or a bar
-was missed. Figures: docs/measurements/bench-force.md.
+A run in which the computer kept the board from answering (session.Lateness) is repeated, and not judged. Exit code 1
+where a force was above the limit or a bar was missed. Figures: docs/measurements/bench-force.md.
 
 A run takes 2.7 s of real time and 0.5 s of a processor: two workers need 80 minutes for all 3,820. Each
 result is added to FILE at once, and runs of the same program that FILE holds are not repeated, so that the same
@@ -32,7 +32,7 @@ from plant import Finger, Link
 from session import Scene, play
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, PAUSE_S, ATTEMPTS = 3.0, 4.0, 3.0, 0.006, 0.003, 3
+LIMIT_N, TRAVEL_MM, OUTSIDE_MM, SLACK_S, ATTEMPTS = 3.0, 4.0, 3.0, 0.006, 3
 RISE_S, RAMP_N = 0.2, 0.02  # tolerance above the ramp
 FAULT_S, END_S = 1.2, 1.75
 LINKS = ("serial", "ODrive", "upload")
@@ -167,14 +167,16 @@ def judge(program, fault, link, number):
             found.wrong.append(f"{found.outside_mm:.1f} mm outside")
         if found.there and bar_s and fault.says and not any(word in said for word in fault.says):
             found.wrong.append(f"does not say {fault.says[0]}")
-        found.pause_s = outcome.pause_s
-        found.judged = outcome.pause_s <= PAUSE_S or not found.wrong
-        if found.largest_N > LIMIT_N + 0.001 or (found.there and not found.wrong):
+        found.pause_s = outcome.lateness.longest_s
+        late = outcome.lateness.explains(END_S)
+        over = found.largest_N > LIMIT_N + 0.001
+        found.judged = over or not late or not found.wrong
+        if over or (found.there and not found.wrong):
             break
-        if not found.there and outcome.pause_s <= PAUSE_S:
+        if not found.there and not late:
             break  # this button has no force there
     if found.wrong:
-        found.wrong.append(f"button {number}, the board paused for {1000 * outcome.pause_s:.1f} ms: " + " | ".join(outcome.said.splitlines())[-300:])
+        found.wrong.append(f"button {number}, the board paused for {1000 * found.pause_s:.1f} ms: " + " | ".join(outcome.said.splitlines())[-300:])
     return found
 
 

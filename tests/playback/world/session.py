@@ -19,6 +19,67 @@ from plant import Finger, Handle, Link, Plant
 PLANT_STEP_S = 0.0002
 
 
+class Lateness:
+    """Counts the periods of the program (1 ms) in which this computer kept the board from answering in time.
+
+    A question comes in each period and waits at most as long as the board's loop takes; and the kernel passes it on when it finds
+    time, which a byte through a port of the board's own shows. The program takes an answer as missing after 0.85 of a period
+    (answerWaitOfPeriod in playback/device/round_trips.h), so a loop or a passage longer than that can cost an answer in each period
+    that it touches. Two rules bound what is harmless, both with 3: the safeguard bridges 3 missing answers in a row
+    (heldReadings in playback/realtime/force_program.h), and the delay of the link is that of the 37th fastest of the first 40
+    answers (RoundTrips::usual_s). With more, drop-outs or a slow link may be the board's own.
+    """
+
+    PERIOD_S, LATE_S, HARMLESS, MEASURING_S = 0.001, 0.00085, 3, 0.040
+    ROW_S = 2 * (HARMLESS + 1) * PERIOD_S  # a punctual answer between late ones does not make the force rise at once
+
+    def __init__(self):
+        self.heard_s = self.began_s = None  # first line of the program, and first that sets a force: there the delay is measured
+        self.longest_s, self.late = 0.0, []  # late: (end, periods) of the loops that were
+        self.port = None  # here, there; a byte is on its way since sent_s
+        self.before_s = self.sent_s = None
+
+    def open(self):
+        self.port = os.openpty()
+        for end in self.port:
+            tty.setraw(end)
+        os.set_blocking(self.port[0], False)
+
+    def close(self):
+        for end in self.port:
+            os.close(end)
+
+    def loop(self, now_s):
+        """Call once in each loop of the board."""
+        took_s = now_s - self.before_s if self.before_s is not None else 0.0
+        try:
+            if self.sent_s is not None and os.read(self.port[0], 1):
+                took_s, self.sent_s = max(took_s, now_s - self.sent_s), None
+        except BlockingIOError:
+            pass
+        if self.sent_s is None:
+            os.write(self.port[1], b".")
+            self.sent_s = now_s
+        self.add(now_s, took_s)
+        self.before_s = now_s
+
+    def add(self, end_s, took_s):
+        if self.heard_s is None:
+            return
+        self.longest_s = max(self.longest_s, took_s)
+        if took_s > self.LATE_S:
+            self.late.append((end_s, math.ceil(took_s / self.PERIOD_S)))
+
+    def periods(self, from_s=0.0, to_s=math.inf):
+        return sum(count for at_s, count in self.late if from_s <= at_s < to_s)
+
+    def explains(self, until_s):
+        """Whether the board was so late, until this time after its first force, that the program had to notice."""
+        began_s = math.inf if self.began_s is None else self.began_s
+        in_a_row = max((self.periods(at_s, at_s + self.ROW_S) for at_s, _ in self.late if at_s <= began_s + until_s), default=0)
+        return max(in_a_row, self.periods(began_s, began_s + self.MEASURING_S)) > self.HARMLESS
+
+
 @dataclass
 class View:
     """State of the plant that the board can read."""
@@ -53,7 +114,7 @@ class Outcome:
         self.exit_code, self.said, self.json = -1, "", ""
         self.second_exit_code, self.second_said = -1, ""
         self.moments = []  # (s after the first force, N at the motor, mm)
-        self.pause_s = 0.0  # longest time for which this computer kept the board from answering
+        self.lateness = Lateness()
         self.unknown, self.kept_before, self.kept_after = [], {}, {}
 
     def largest_N(self, from_s=0.0, to_s=1e9):
@@ -123,13 +184,14 @@ def play(program, scene, board):
     outcome.kept_before = board.kept()
     answers, received, moments = deque(), b"", outcome.moments
     began_s, plant_s, wakes_s, ended_s = None, 0.0, math.inf, math.inf
-    fault_done, second, woken_s, back_s = False, None, math.inf, math.inf
+    fault_done, second, back_s = False, None, math.inf
+    outcome.lateness.open()
     fault_mm, turn = 0.0, 0
     start_s = time.monotonic()
     first = Program(arguments)
     while True:
         now_s = time.monotonic() - start_s
-        outcome.pause_s, woken_s = max(outcome.pause_s, now_s - woken_s), now_s
+        outcome.lateness.loop(now_s)
         if now_s > scene.wait_s or now_s > ended_s + 0.1:
             break
         since_s = -1.0 if began_s is None else now_s - began_s
@@ -182,9 +244,10 @@ def play(program, scene, board):
             pass
         while b"\n" in received:
             line, received = received.split(b"\n", 1)
+            outcome.lateness.heard_s = outcome.lateness.heard_s or now_s
             answer = board.take(line.decode(errors="replace"), view)
             if board.began and began_s is None:
-                began_s = plant_s
+                began_s = outcome.lateness.began_s = plant_s
             if not answer or link.mute or chance.random() < link.lost:
                 continue
             due_s = now_s + link.delay_s + link.jitter_s * chance.random()
@@ -201,6 +264,7 @@ def play(program, scene, board):
     if master >= 0:
         os.close(master)
         os.close(slave)
+    outcome.lateness.close()
     folder.cleanup()
     outcome.kept_after, outcome.unknown = board.kept(), board.unknown
     return outcome

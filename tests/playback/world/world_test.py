@@ -1,16 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""world_test.py DETENT-PLAY [ROW]: the safety of `detent-play force` judged from outside.
+"""world_test.py DETENT-PLAY [ROW] [--strict]: the safety of `detent-play force` judged from outside.
 
 The program runs at an independent plant and at boards written from the documents and the public firmware (plant.py, boards.py).
 One row of the table is one run. PENDING lists the rows whose safeguard is not there yet, with the number of the safeguard in
 section 1 of issue 46; such a row fails nothing, and is printed when it passes. With ROW, a part of a name, only these rows run
-and everything they print is shown."""
+and everything they print is shown.
 
+A row fails where it never comes out right although the board was punctual at least once (session.Lateness), or where a force is
+above the limit. Where the board was late in each attempt, the row is not judged: the runs say nothing about the program. A line
+SKIPPED tells how many those were. With --strict, for a quiet machine, too few judged rows are a failure."""
+
+import argparse
 import os
 import statistics
 import sys
 import tempfile
+import time
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field, replace
 
@@ -23,8 +29,8 @@ TRAVEL_MM = 10.0
 SLACK_S = 0.006  # tolerance of measured times: motor lag, steps of the plant, load of the computer
 WORKERS = 2
 ATTEMPTS = 6
-PAUSE_S = 0.003  # a board that the computer kept from answering for longer: its run says nothing
-JUDGED = 0.5  # least share of the rows that must have been judged
+REPEATS_S = 150  # after this time no attempt is repeated: a run takes up to 4 s, and CTest ends the test after 300 s
+JUDGED = 0.5  # with --strict: least share of the rows that must have been judged
 
 PENDING = {}
 
@@ -199,45 +205,77 @@ def complaints_of(row, outcome):
     return wrong, there
 
 
-def judge(program, row):
-    """A busy computer makes boards and program late, which is no verdict on either: such a run is repeated, and does not count where
-    the board itself saw it. No computer excuses a force above the limit: one such run is enough."""
-    results = []
-    for attempt in range(ATTEMPTS):
-        outcome = play(program, replace(row.scene, seed=1 + attempt), row.board(**row.options))
+def matters_until_s(row):
+    """Time after the first force until which the board must be punctual for the row to be judged."""
+    wanted, fault_s = row.wanted, row.scene.fault_s
+    if wanted.none_s is not None:
+        return fault_s + wanted.none_s + SLACK_S
+    return fault_s + row.scene.stall_s + 0.03 if wanted.after_stall_N is not None else row.scene.wait_s
+
+
+@dataclass
+class Judged:
+    row: Row
+    wrong: list
+    outcome: object
+    runs: int
+    late: bool  # the board was, in each of the runs
+
+
+def judge(program, row, repeats_until_s):
+    """A busy computer makes boards and program late, so a run that is not right is repeated. Only where the board was punctual it
+    counts. No computer excuses a force above the limit: one such run is enough."""
+    runs = 0
+    found, punctual = [], []
+    while not runs or (runs < ATTEMPTS and time.monotonic() < repeats_until_s):
+        runs += 1
+        outcome = play(program, replace(row.scene, seed=runs), row.board(**row.options))
         wrong, there = complaints_of(row, outcome)
         if not there:
             wrong = wrong + ["no force before the fault"]
-        results.append((wrong, outcome))
         if not wrong or over_limit(row, outcome):
-            break
-    best = min(results, key=lambda result: (not over_limit(row, result[1]), len(result[0])))
-    judged = not best[0] or over_limit(row, best[1]) or any(result[1].pause_s <= PAUSE_S for result in results)
-    return row.name, best[0], best[1].exit_code, best[1].said, best[1].json, best[1].unknown, len(results), judged
+            return Judged(row, wrong, outcome, runs, False)
+        (found if outcome.lateness.explains(matters_until_s(row)) else punctual).append((wrong, outcome))
+    return Judged(row, *min(punctual or found, key=lambda result: len(result[0])), runs, not punctual)
+
+
+def tell(judged, only):
+    """Prints a row and returns its verdict."""
+    pending = PENDING.get(judged.row.name)
+    verdict = "ok" if not judged.wrong else f"pending {pending}" if pending else "not judged" if judged.late else "FAILED"
+    lateness = judged.outcome.lateness
+    late = f"the board was late in {lateness.periods()} periods of 1 ms, longest pause {1000 * lateness.longest_s:.1f} ms"
+    wrong = [*judged.wrong, late] if verdict == "FAILED" or only else [late] if verdict == "not judged" else judged.wrong
+    print(f"{verdict:18}{judged.row.name}" + (f" ({judged.runs} runs)" if judged.runs > 1 else "")
+          + "".join(f"\n                  {w}" for w in wrong))
+    if pending and not judged.wrong:
+        print("                  passes now: take it off the list PENDING")
+    if verdict == "FAILED" or only:
+        lines = [f"exit code {judged.outcome.exit_code}", *judged.outcome.said.splitlines()]
+        print("".join(f"            | {line}\n" for line in lines), end="")
+    if only:
+        print(judged.outcome.json, *judged.outcome.unknown, sep="\n")
+    return verdict
 
 
 def main():
-    program, only = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
-    failed = unjudged = 0
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("row", nargs="?", default="")
+    parser.add_argument("--strict", action="store_true")
+    chosen = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(WORKERS) as pool:
-        table = [row for row in rows(folder) if only.lower() in row.name.lower()]
-        for name, wrong, code, said, text, unknown, runs, judged in pool.map(judge, [program] * len(table), table):
-            pending = PENDING.get(name)
-            verdict = "ok" if not wrong else f"pending {pending}" if pending else "FAILED" if judged else "not judged"
-            unjudged += verdict == "not judged"
-            failed += verdict == "FAILED"
-            print(f"{verdict:18}{name}" + (f" ({runs} runs)" if runs > 1 else "") + "".join(f"\n                  {w}" for w in wrong))
-            if pending and not wrong:
-                print("                  passes now: take it off the list PENDING")
-            if verdict == "FAILED" or only:
-                print("".join(f"            | {line}\n" for line in [f"exit code {code}", *said.splitlines()]), end="")
-            if only:
-                print(text, *unknown, sep="\n")
-    stale = [name for name in PENDING if not only and name not in [row.name for row in table]]
+        table = [row for row in rows(folder) if chosen.row.lower() in row.name.lower()]
+        until_s = time.monotonic() + REPEATS_S
+        verdicts = [tell(one, chosen.row) for one in pool.map(judge, [chosen.program] * len(table), table, [until_s] * len(table))]
+    stale = [name for name in PENDING if not chosen.row and name not in [row.name for row in table]]
     for name in stale:
         print(f"FAILED            PENDING names no row: {name}")
+    failed, unjudged = verdicts.count("FAILED"), verdicts.count("not judged")
     print(f"{len(table)} rows, {failed} failed, {unjudged} not judged on this busy computer, {len(PENDING)} pending")
-    if len(table) - unjudged < JUDGED * len(table):
+    if unjudged:
+        print(f"SKIPPED {unjudged} of {len(table)} rows of the world: their boards were late in each run")
+    if chosen.strict and len(table) - unjudged < JUDGED * len(table):
         print("FAILED            too few rows could be judged")
         failed += 1
     return 1 if failed or stale else 0
