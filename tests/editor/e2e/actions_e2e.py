@@ -22,7 +22,7 @@ import time
 import zlib
 from pathlib import Path
 
-from desktop import Desktop, Editor, read_to_its_end, wait_for
+from desktop import Desktop, Editor, read_to_its_end, save_as, wait_for
 
 MOST_ACTIONS_THAT_IMPORT, MOST_CLICKS_BY_HAND = 5, 15
 # Of the corpus that DETENT_CORPUS names, or that lies beside the checkout: four vendors, traces and pictures, first and later pages.
@@ -68,16 +68,6 @@ class BarePage:
         return 20 if abs(y - self.place(x_mm)[1]) <= 1 else 255
 
 
-def save(editor, desktop, path):
-    desktop.key("ctrl+s")
-    field = editor.widget("fileNameEdit")
-    if str(path) not in field["text"]:  # where it is saved is this test's business, not an action of the person
-        desktop.xdotool("key", "--clearmodifiers", "ctrl+a")
-        desktop.type(str(path))
-    desktop.key("Return")
-    wait_for("the saved button", path.exists)
-
-
 def from_a_sheet_that_imports(programs, sheet, folder):
     """Dropped on the window (here: named on the command line), imported, saved."""
     with Desktop(folder) as desktop:
@@ -86,7 +76,7 @@ def from_a_sheet_that_imports(programs, sheet, folder):
         editor.click("import", "importDialog")
         editor.widget("graphCanvas")
         saved = folder / "imported.button.json"
-        save(editor, desktop, saved)
+        save_as(editor, saved)
         return desktop.actions
 
 
@@ -122,7 +112,7 @@ def walk_by_hand(page, editor, desktop, folder):
     editor.click("import", dialog)
     editor.widget("graphCanvas")
     saved = folder / "by-hand.button.json"
-    save(editor, desktop, saved)
+    save_as(editor, saved)
     check_curve(page, saved)
     return desktop.clicks
 

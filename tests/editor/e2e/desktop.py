@@ -268,6 +268,20 @@ def read_to_its_end(editor, dialog):
     wait_for("the page to be read", read, 2 * PATIENCE_S)
 
 
+def save_as(editor, path):
+    """Saves by keys under a name. Nobody types before the field has the keys, or confirms before it shows the name."""
+    editor.active("mainWindow")
+    editor.desktop.key("ctrl+s")
+    field = editor.widget("fileNameEdit", focus=True)
+    editor.active(field["window"])
+    if str(path) not in field["text"]:  # where it is saved is the test's business, not an action of the person
+        editor.desktop.xdotool("key", "--clearmodifiers", "ctrl+a")
+        editor.desktop.type(str(path))
+        editor.widget("fileNameEdit", text=str(path))
+    editor.desktop.key("Return")
+    wait_for(f"the saved file {path.name}", path.exists)
+
+
 def saved_press(programs, file):
     """The press curve of a saved button: mm, N."""
     samples = file.with_suffix(".csv")

@@ -15,7 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from desktop import Desktop, Editor, wait_for
+from desktop import Desktop, Editor, save_as, wait_for
 
 PX_TOLERANCE = 2.5
 
@@ -59,11 +59,7 @@ class Walk:
         close_if_open(self.editor, dialog, self.desktop)
 
     def save_under_a_name(self):
-        self.editor.active("mainWindow")
-        self.desktop.key("ctrl+s")
-        self.editor.replace_text("fileNameEdit", str(self.saved))
-        self.desktop.key("Return")
-        wait_for("the saved file", self.saved.exists)
+        save_as(self.editor, self.saved)
         self.editor.gone("fileNameEdit")
         self.imported = self.press_points()
         # True values of the sample, with the axis stretched to twice the force.

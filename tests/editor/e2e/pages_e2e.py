@@ -17,7 +17,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from desktop import Desktop, Editor, read_to_its_end, saved_press, wait_for
+from desktop import Desktop, Editor, read_to_its_end, save_as, saved_press, wait_for
 
 DIALOG = "importDialog"
 TRAVEL_MM = 4.0
@@ -285,10 +285,7 @@ class Walk:
 
     def save(self, name):
         file = self.folder / f"{name}.button.json"
-        self.desktop.key("ctrl+s")
-        self.editor.replace_text("fileNameEdit", str(file))
-        self.desktop.key("Return")
-        wait_for("the saved button", file.exists)
+        save_as(self.editor, file)
         self.editor.gone("fileNameEdit")
         return file
 

@@ -8,7 +8,10 @@
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDockWidget>
+#include <QFile>
+#include <QFileInfo>
 #include <QHeaderView>
 #include <QImage>
 #include <QJsonArray>
@@ -2095,9 +2098,18 @@ class WindowTest : public QObject {
       QVERIFY2(names.contains(name), name);
     new GeometryReport(at("geometry.json"), rig.window.get());
     QTRY_VERIFY(QFile::exists(at("geometry.json")));
+    // A report that stays old is one of a program that is busy.
+    const QDateTime first = QFileInfo(at("geometry.json")).lastModified();
+    QTRY_VERIFY(QFileInfo(at("geometry.json")).lastModified() > first);
+    QTRY_VERIFY(reportedWindow("mainWindow")["exposed"].toBool());
   }
 
  private:
+  static QJsonObject reportedWindow(const QString& name) {
+    for (const auto& window : QJsonDocument::fromJson(geometryJson()).object()["windows"].toArray())
+      if (window.toObject()["name"].toString() == name) return window.toObject();
+    return {};
+  }
   QString at(const QString& name) const { return folder_->filePath(name); }
   std::unique_ptr<QTemporaryDir> folder_;
 };
