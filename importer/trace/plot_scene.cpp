@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "importer/trace/settled_chroma.h"
 #include "importer/trace/tinted_areas.h"
 
 namespace detent::importer::trace {
@@ -174,7 +173,6 @@ PlotScene::PlotScene(const Raster& view, const PlotFrame& frame, const std::vect
     : frame_(frame), area_(makePlotArea(view, frame, words, masks_px)) {
   if (empty()) return;
   paper_ = paperOf(area_.raster);
-  if (settleChroma(area_.raster, rgbOf(paper_))) paper_ = paperOf(area_.raster);
   const auto lines = [this] {
     measureLines();
     return lineDirection_;

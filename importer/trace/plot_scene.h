@@ -24,7 +24,6 @@ class PlotScene {
 
   bool empty() const { return area_.raster.empty(); }
   const PlotFrame& plotFrame() const { return frame_; }  ///< in view pixels
-  /// Colour stored at half resolution has been corrected (settled_chroma.h).
   const PlotArea& area() const { return area_; }
   Color3 pixel(int x, int y) const { return colorAt(area_.raster, x, y); }
 
