@@ -9,7 +9,7 @@
 namespace detent::editor {
 
 /// A forecast in the same words as on the terminal and in reports: "People tell these apart: 0 to 7 errors in
-/// 90. The largest difference is on the release: the strength of the vibration."
+/// 90. Most differs on the release: how strong it is."
 QString forecastWords(const playback::PredictedPair& pair);
 /// Verdict and range of errors in a few words, for a line of a list.
 QString shortForecastWords(const playback::PredictedPair& pair);

@@ -12325,38 +12325,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Schritt wurde abgebrochen</translation>
     </message>
     <message>
-        <source>the strength of the vibration</source>
-        <translation>die Stärke der Vibration</translation>
-    </message>
-    <message>
-        <source>the moment of the click</source>
-        <translation>der Zeitpunkt des Klicks</translation>
-    </message>
-    <message>
-        <source>the force needed to press</source>
-        <translation>die Kraft zum Drücken</translation>
-    </message>
-    <message>
-        <source>the travel that is felt</source>
-        <translation>der gefühlte Weg</translation>
-    </message>
-    <message>
-        <source>distinguishable: %1</source>
-        <translation>unterscheidbar: %1</translation>
-    </message>
-    <message>
-        <source>not distinguishable: %1</source>
-        <translation>nicht unterscheidbar: %1</translation>
-    </message>
-    <message>
-        <source>probably distinguishable: %1</source>
-        <translation>wahrscheinlich unterscheidbar: %1</translation>
-    </message>
-    <message>
-        <source>probably not distinguishable: %1</source>
-        <translation>wahrscheinlich nicht unterscheidbar: %1</translation>
-    </message>
-    <message>
         <source>a timing study needs exact times, which a browser does not give</source>
         <translation>eine Studie des Timings braucht genaue Zeiten, die ein Browser nicht liefert</translation>
     </message>
@@ -12707,6 +12675,38 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Give a list of 1 to %1 times that are all shorter than the shortest interval</source>
         <translation>Geben Sie eine Liste von 1 bis %1 Zeiten an, die alle kürzer als das kürzeste Intervall sind</translation>
+    </message>
+    <message>
+        <source>how strong it is</source>
+        <translation>wie stark er ist</translation>
+    </message>
+    <message>
+        <source>when the click comes</source>
+        <translation>wann der Klick kommt</translation>
+    </message>
+    <message>
+        <source>how hard one has to press</source>
+        <translation>wie fest man drücken muss</translation>
+    </message>
+    <message>
+        <source>how far it seems to give way</source>
+        <translation>wie weit er nachzugeben scheint</translation>
+    </message>
+    <message>
+        <source>told apart: %1</source>
+        <translation>unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>not told apart: %1</source>
+        <translation>nicht unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>probably told apart: %1</source>
+        <translation>wahrscheinlich unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>probably not told apart: %1</source>
+        <translation>wahrscheinlich nicht unterschieden: %1</translation>
     </message>
 </context>
 <context>

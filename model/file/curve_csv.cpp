@@ -48,7 +48,7 @@ std::optional<Failure> appendRow(GraphPolylines& lines, const NumberTable& row, 
                   "Write stroke,displacement_mm,force_N");
   const std::string_view stroke = row.fields()[0];
   if (stroke != "press" && stroke != "release")
-    return refuse("names the stroke " + quotedBegin(stroke), "Write press or release");
+    return refuse("the line names the stroke " + quotedBegin(stroke), "Write press or release");
   const auto x = row.finite(1), force = row.finite(2);
   if (!x)
     return refuse("displacement " + quotedBegin(row.fields()[1]) + " is not a usable number",

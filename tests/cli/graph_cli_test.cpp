@@ -129,7 +129,8 @@ TEST_CASE("a self-locking button's CSV needs its state named") {
   CHECK(r.exitCode == 5);
   CHECK(r.out.empty());
   CHECK(r.err ==
-        "EF.button.json: has two states (unlocked, locked), one was expected. Name one with --state.\n");
+        "EF.button.json: the button has two states (unlocked, locked), but one was expected. Name one with "
+        "--state.\n");
   CHECK(graph.files().count("e.csv") == 0);
   CHECK(graph({"convert", "EF.button.json", "e.csv", "--state", "locked"}).exitCode == 0);
   CHECK(graph.read("e.csv").find("press,2.5,0.05\n") != std::string::npos);
@@ -165,12 +166,13 @@ TEST_CASE("failures: code, one sentence, nothing written, no old file lost") {
   const auto before = graph.files();
   const std::vector<std::tuple<std::string, int, std::string>> cases = {
       {"missing.button.json", 3, "missing.button.json: the file does not exist."},
-      {"broken.button.json", 3, "broken.button.json, line 3, column 3: is not valid JSON"},
-      {"newer.button.json", 3, "newer.button.json, version: is 99; this program reads versions up to "},
+      {"broken.button.json", 3, "broken.button.json, line 3, column 3: the file is not valid JSON"},
+      {"newer.button.json", 3,
+       "newer.button.json, version: the file has version 99; this program reads versions up to "},
       {"rows.csv", 3, "rows.csv, line 2: force \"nan\" is not a usable number."},
       {"empty.csv", 4, "empty.csv: the file has a header but no rows."},
-      {"notes.txt", 2, "notes.txt: does not end in .button.json, .csv or .svg."},
-      {"plot.svg", 2, "plot.svg: is a picture"}};
+      {"notes.txt", 2, "notes.txt: the name does not end in .button.json, .csv or .svg."},
+      {"plot.svg", 2, "plot.svg: this is a picture"}};
   for (const auto& [file, code, sentence] : cases) {
     INFO(file);
     for (const char* command : {"show", "check"}) {

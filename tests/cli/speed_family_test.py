@@ -246,11 +246,11 @@ class SpeedFamily(unittest.TestCase):
         family = self.family([10.0, 100.0])
         plain = self.folder / "10.button.json"
         for arguments, code, part in (
-                (("convert", plain, self.folder / "o.csv", "--speed", 10), 2, "--speed: is for a button with graphs at several"),
+                (("convert", plain, self.folder / "o.csv", "--speed", 10), 2, "--speed: this option is for a button with graphs at several"),
                 (("convert", family, self.folder / "o.csv", "--speed", -1), 2, "above 0"),
-                (("family", plain, plain, "--speeds", "10,10", "-o", self.folder / "o.button.json"), 3, "10 mm/s twice"),
+                (("family", plain, plain, "--speeds", "10,10", "-o", self.folder / "o.button.json"), 3, "two graphs at the speed 10 mm/s"),
                 (("family", plain, plain, "--speeds", "10", "-o", self.folder / "o.button.json"), 2, "1 speeds for 2 buttons"),
-                (("family", plain, plain, "--speeds", "10,20", "-o", self.folder / "o.csv"), 2, "is no button's name")):
+                (("family", plain, plain, "--speeds", "10,20", "-o", self.folder / "o.csv"), 2, "not the name of a button file")):
             result = run("detent-graph", *arguments)
             self.assertEqual(result.returncode, code, result.stderr)
             self.assertIn(part, result.stderr)

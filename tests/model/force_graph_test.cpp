@@ -36,11 +36,12 @@ TEST_CASE("a graph without release falls back to its press") {
 }
 
 TEST_CASE("graphs outside the rules are refused by name") {
-  requireRefusal(ForceGraph::fromCurves(line(-0.1, 4, 0, 1), {}), "press curve: starts at -0.1 mm");
+  requireRefusal(ForceGraph::fromCurves(line(-0.1, 4, 0, 1), {}),
+                 "press curve: the press curve starts at -0.1 mm");
   requireRefusal(ForceGraph::fromCurves(line(0, 4, 0, 1.1e7), {}), "force reaches 11000000 N");
   requireRefusal(ForceGraph::fromCurves(line(0, 2e5, 0, 1), {}), "displacement reaches 200000 mm");
   requireRefusal(ForceGraph::fromCurves(line(0, 1, 0, 1), line(1, 2, 0, 1)),
-                 "release curve: covers 1 mm to 2 mm");
+                 "release curve: the release curve runs from 1 mm to 2 mm");
   // The bump between two tame knots counts as well.
   auto bump = StrokeCurve::fromKnots({{0, 0, 0, 1e8}, {1, 0, 0, 0}});
   REQUIRE(bump.ok());

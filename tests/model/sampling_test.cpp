@@ -104,7 +104,7 @@ TEST_CASE("points that are no stroke are refused with their number") {
   const auto spike = curveThroughDensePoints({{0, 0}, {1, 0}, {1, 2}, {1, 1}, {2, 1}}, 1e-4);
   REQUIRE_FALSE(spike.ok());
   CHECK_THAT(spike.failure().sentence(),
-             Catch::Contains("point 4: reverses its direction inside a vertical rise"));
+             Catch::Contains("point 4: the force reverses its direction inside a vertical rise"));
   CHECK_FALSE(curveThroughDensePoints({{0, 0}, {1, NAN}}, 1e-4).ok());
   CHECK_FALSE(curveThroughDensePoints({{0, 0}}, 1e-4).ok());
   CHECK_FALSE(curveThroughDensePoints({{0, 0}, {0, 1}}, 1e-4).ok());

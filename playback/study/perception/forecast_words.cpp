@@ -10,15 +10,15 @@ namespace {
 Message cueOf(const PredictedPair& pair) {
   switch (pair.cue) {
     case Cue::strength:
-      return Message("the strength of the vibration");
+      return Message("how strong it is");
     case Cue::timing:
-      return Message("the moment of the click");
+      return Message("when the click comes");
     case Cue::force:
-      return Message("the force needed to press");
+      return Message("how hard one has to press");
     case Cue::travel:
       break;
   }
-  return Message("the travel that is felt");
+  return Message("how far it seems to give way");
 }
 
 /// Share in whole per cent.
@@ -51,14 +51,14 @@ Message verdictOf(const PredictedPair& pair) {
 Message shortVerdictOf(const PredictedPair& pair) {
   switch (pair.verdict()) {
     case Verdict::distinguished:
-      return Message("distinguishable: %1", errorsOf(pair));
+      return Message("told apart: %1", errorsOf(pair));
     case Verdict::notDistinguished:
-      return Message("not distinguishable: %1", errorsOf(pair));
+      return Message("not told apart: %1", errorsOf(pair));
     case Verdict::undecided:
       break;
   }
-  return pair.probabilityApart >= 0.5 ? Message("probably distinguishable: %1", errorsOf(pair))
-                                      : Message("probably not distinguishable: %1", errorsOf(pair));
+  return pair.probabilityApart >= 0.5 ? Message("probably told apart: %1", errorsOf(pair))
+                                      : Message("probably not told apart: %1", errorsOf(pair));
 }
 
 Message reasonOf(const PredictedPair& pair) {

@@ -14,7 +14,7 @@ Message errorsOf(const PredictedPair& pair);
 Message verdictOf(const PredictedPair& pair);
 /// Verdict and range of errors in a few words, for a line of a list.
 Message shortVerdictOf(const PredictedPair& pair);
-/// The largest difference in words: "the largest difference is on the press: the moment of the click".
+/// The largest difference in words: "most differs on the press: when the click comes"; "nothing differs".
 Message reasonOf(const PredictedPair& pair);
 
 }  // namespace detent::playback

@@ -243,11 +243,11 @@ class ForecastTest : public QObject {
     const auto line = [&](int row) {
       return list->model()->index(row, 0).data().toString().section('\n', 1);
     };
-    QTRY_VERIFY_WITH_TIMEOUT(
-        line(1).startsWith("not distinguishable") && line(2).startsWith("distinguishable"), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(line(1).startsWith("not told apart") && line(2).startsWith("told apart"),
+                             patience_ms);
     QVERIFY(line(0).isEmpty());
     b.history().apply(twoLevelButton(), "Another");
-    QTRY_VERIFY_WITH_TIMEOUT(line(1).startsWith("distinguishable"), patience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(line(1).startsWith("told apart"), patience_ms);
     library.setDocuments({&a, &b, &c}, &b);
     QVERIFY(line(1).isEmpty());
     QTRY_VERIFY_WITH_TIMEOUT(!line(0).isEmpty(), patience_ms);

@@ -167,7 +167,7 @@ class MeasuredTest : public QObject {
     const importer::SwitchSpread spread = table.spreadOf(0);
     QCOMPARE(spread.units, std::size_t(2));
     const QString words = spreadWords(spread, units);
-    QVERIFY2(words.contains("2 measurements of 2 units of this switch"), qPrintable(words));
+    QVERIFY2(words.contains("2 measurements of 2 specimens of this switch"), qPrintable(words));
     QVERIFY2(words.contains(figureText(0.03 / std::sqrt(2.0), KeyFigure::peakForce, units)),
              qPrintable(words));
     QVERIFY(spreadWords({}, units).isEmpty());

@@ -169,7 +169,7 @@ TEST_CASE("a cut-out that is none is refused with its place") {
     requireRefusal(with("png", wrong), "cutout.png");
   requireRefusal(with("png", base64From(cutout.png + std::string(largestCutout_bytes, 'x'))),
                  "the limit is 1048576");
-  requireRefusal(with("pixelToAxes", {1, 0, 0, 0, 1, 0, 0, 0}), "cutout.pixelToAxes: has 8 numbers");
+  requireRefusal(with("pixelToAxes", {1, 0, 0, 0, 1, 0, 0, 0}), "cutout.pixelToAxes: the list has 8 numbers");
   requireRefusal(with("pixelToAxes", {1, 0, 0, 0, "1", 0, 0, 0, 1}), "cutout.pixelToAxes[4]");
   requireRefusal(with("picture", ""), "cutout.picture");
 }
@@ -213,7 +213,7 @@ TEST_CASE("names keep every letter, and bytes that are none do no harm") {
 }
 
 TEST_CASE("malformed JSON is refused with line and column") {
-  requireRefusal("", "line 1, column 1: is not valid JSON");
+  requireRefusal("", "line 1, column 1: the file is not valid JSON");
   requireRefusal("{\n  \"format\": \"detent-button\",\n  oops\n}", "line 3, column 3");
   requireRefusal(fixtureText().substr(0, 700), "is not valid JSON");
   requireRefusal("\xFF\xFE{", "is not valid JSON");
@@ -318,15 +318,15 @@ TEST_CASE("what is wrong with a note, a version or a link is named by its place"
     document[nlohmann::json::json_pointer(pointer)] = value;
     requireRefusal(document.dump(), part);
   };
-  refused("/notes/0/text", "", "notes[0].text: is empty");
-  refused("/notes/0/state", -1, "notes[0].state: is negative");
-  refused("/notes/0/stroke", "pull", "notes[0].stroke: is \"pull\"");
+  refused("/notes/0/text", "", "notes[0].text: the text is empty");
+  refused("/notes/0/state", -1, "notes[0].state: the value is negative");
+  refused("/notes/0/stroke", "pull", "notes[0].stroke: the value is \"pull\"");
   refused("/versions/0/states/0/operatingPoint_mm", 40, "versions[0], state 1: operating point at 40 mm");
-  refused("/links/releaseBelowPress_N", -0.1, "links.releaseBelowPress_N: is negative");
-  refused("/links/oneTravelEnd", "yes", "links.oneTravelEnd: is not true or false");
+  refused("/links/releaseBelowPress_N", -0.1, "links.releaseBelowPress_N: the value is negative");
+  refused("/links/oneTravelEnd", "yes", "links.oneTravelEnd: the value is neither true nor false");
   auto document = nlohmann::json::parse(*readTextFile(fixtures + "version-4.button.json"));
   document["versions"].push_back(document["versions"][0]);
-  requireRefusal(document.dump(), "versions[1].name: is the name of another version");
+  requireRefusal(document.dump(), "versions[1].name: another version has this name");
 }
 
 TEST_CASE("graphs at several speeds come back, and only they make a file version 5") {
@@ -360,12 +360,12 @@ TEST_CASE("graphs at several speeds come back, and only they make a file version
 
 TEST_CASE("newer versions are refused, wrong ones named") {
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 6"),
-                 "version: is 6; this program reads versions up to");
+                 "version: the file has version 6; this program reads versions up to");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 18446744073709551615"),
                  "reads versions up to");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 0"), "versions count from 1");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": \"1\""), "not a whole number");
-  requireRefusal(replaced(fixtureText(), "\"version\": 1,", ""), "version: is missing");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1,", ""), "version: the field is missing");
 }
 
 TEST_CASE("migrations run in order from the file's version to the newest") {

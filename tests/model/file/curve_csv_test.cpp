@@ -84,12 +84,12 @@ TEST_CASE("a byte order mark, CRLF, spaces, blank lines and a missing last newli
 }
 
 TEST_CASE("faults are refused with their line") {
-  requireCsvRefusal(graphFromCsv("", "a.csv"), 3, "line 1: is \"\", not the header");
+  requireCsvRefusal(graphFromCsv("", "a.csv"), 3, "line 1: the line is \"\", not the header");
   requireCsvRefusal(graphFromCsv("time,force\n1,2\n", "a.csv"), 3, "Use detent-import");
   requireCsvRefusal(read(""), 4, "has a header but no rows");
   requireCsvRefusal(read("release,1,1\nrelease,0,0\n"), 4, "has no press rows");
-  requireCsvRefusal(read("press,0,0\npress,1\n"), 3, "line 3: does not have 3 fields");
-  requireCsvRefusal(read("press,0,0\npush,1,1\n"), 3, "line 3: names the stroke \"push\"");
+  requireCsvRefusal(read("press,0,0\npress,1\n"), 3, "line 3: the line does not have 3 fields");
+  requireCsvRefusal(read("press,0,0\npush,1,1\n"), 3, "line 3: the line names the stroke \"push\"");
   requireCsvRefusal(read("press,0,0\npress,one,1\n"), 3, "line 3: displacement \"one\"");
   for (const char* bad : {"nan", "inf", "-inf", "1e999", "", "1,5", "0x10", "1 2"})
     CHECK(read(std::string("press,0,0\npress,1,") + bad + "\n").failure().exitCode() == 3);
