@@ -6933,8 +6933,8 @@ Lizenz: %3</translation>
         <translation>Kurven&amp;werte (CSV) …</translation>
     </message>
     <message>
-        <source>Write samples of the state shown, in mm and N</source>
-        <translation>Kurvenwerte des gezeigten Zustands schreiben, in mm und N</translation>
+        <source>Write samples of the state shown, in the units shown or in mm and N</source>
+        <translation>Kurvenwerte des gezeigten Zustands schreiben, in den gezeigten Einheiten oder in mm und N</translation>
     </message>
     <message>
         <source>&amp;Vibration of a press (WAV)…</source>
