@@ -236,8 +236,8 @@ void UnitPlot::paintEvent(QPaintEvent* event) {
 }
 
 void UnitPlot::resizeEvent(QResizeEvent* event) {
+  spaceLabels(event->size());  // before QCustomPlot draws, else the ticks are those of the size before
   QCustomPlot::resizeEvent(event);
-  spaceLabels(size());
   emit viewChanged();
 }
 

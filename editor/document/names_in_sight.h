@@ -41,17 +41,18 @@ inline int widthForColumns_px(const QTableView& table) {
 /// Space needed by a table, in pixels.
 struct NamedTable {
   int nameColumn = 0;
-  int names_px = 0;    ///< width of the widest name
-  int numbers_px = 0;  ///< width of the other columns together
+  int names_px = 0;              ///< width of the widest name
+  int numbers_px = 0;            ///< width of the other columns together
+  int leastNames_px = names_px;  ///< names may be elided to this width
 };
 
-/// Shows the row names in their column if the whole table has space; else in the vertical header, which the
-/// model must fill too (best a ShorteningHeader) and which stays while the numbers scroll. The names then
-/// have half of the table at most. GUI thread.
+/// Shows the row names in their column if the whole table, with elided names, has space; else in the vertical
+/// header, which the model must fill too (best a ShorteningHeader) and which stays while the numbers scroll.
+/// The names then have half of the table at most. GUI thread.
 inline void keepNamesInSight(QTableView& table, const NamedTable& needed) {
   QHeaderView& names = *table.verticalHeader();
   const int room_px = widthForColumns_px(table);
-  const bool narrow = needed.names_px + needed.numbers_px > room_px;
+  const bool narrow = std::min(needed.names_px, needed.leastNames_px) + needed.numbers_px > room_px;
   table.setColumnHidden(needed.nameColumn, narrow);
   names.setVisible(narrow);
   if (!narrow) return table.setColumnWidth(needed.nameColumn, room_px - needed.numbers_px);

@@ -199,10 +199,8 @@ void ComparePanel::giveRoomToFigures() {
   int figures_px = all_px / 2;
   if (beside) {
     const double most = sides_.size() < 4 ? 0.5 : 0.28;  // of the panel
-    // the table's own scroll bar, that of the area around it, and the margins
-    int table_px = 2 * (style()->pixelMetric(QStyle::PM_ScrollBarExtent) + rowMargin_px) + nameWidth();
-    for (int column = 1; column < table_->columnCount(); ++column) table_px += leastWidth(column);
-    figures_px = std::max(leastFigures_px, std::min(static_cast<int>(most * all_px), table_px));
+    neededTable_px_ = tableWidth_px();
+    figures_px = std::max(leastFigures_px, std::min(static_cast<int>(most * all_px), neededTable_px_));
   }
   split_->setSizes({all_px - figures_px, figures_px});
 }
@@ -444,7 +442,8 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
     name->setToolTip(row.name);
     table_->setVerticalHeaderItem(i, name);
   }
-  if (table_->columnCount() != columnsBefore) giveRoomToFigures();
+  // Other buttons, units or values may need more room; with less, the user's division stays.
+  if (table_->columnCount() != columnsBefore || tableWidth_px() > neededTable_px_) giveRoomToFigures();
   layOutTable();
 }
 
@@ -459,24 +458,43 @@ int ComparePanel::leastWidth(int column) const {
   return isUnit ? std::max(text_px, table_->horizontalHeader()->sectionSizeHint(column)) : text_px;
 }
 
-// Numbers get the width they need; the remaining width goes first to the names above them, then to those of
-// the rows.
+/// Width of a column with its heading, up to the limit of a heading.
+int ComparePanel::wishedWidth(int column) const {
+  const int longest_px = longestHead * fontMetrics().horizontalAdvance(QLatin1Char('x'));
+  return std::max(leastWidth(column),
+                  std::min(table_->horizontalHeader()->sectionSizeHint(column), longest_px));
+}
+
+/// Number of columns of values, which are named after buttons; those of differences follow.
+int ComparePanel::valueColumns() const { return (table_->columnCount() - 1) / 2; }
+
+/// Width of the whole table with the buttons' names above their values.
+int ComparePanel::tableWidth_px() const {
+  // the table's own scroll bar, that of the area around it, and the margins
+  int needed_px = 2 * (style()->pixelMetric(QStyle::PM_ScrollBarExtent) + rowMargin_px) + nameWidth();
+  for (int column = 1; column < table_->columnCount(); ++column)
+    needed_px += column <= valueColumns() ? wishedWidth(column) : leastWidth(column);
+  return needed_px;
+}
+
+// Numbers get the width they need; the remaining width goes in equal parts first to the names above values,
+// then to those above differences, then to those of the rows.
 void ComparePanel::layOutTable() {
   const int columns = table_->columnCount();
   if (columns < 3 || table_->rowCount() == 0) return;
-  const QHeaderView& heads = *table_->horizontalHeader();
-  const int widestHead_px = longestHead * fontMetrics().averageCharWidth();
   NamedTable needed{0, nameWidth()};
   int spare_px = widthForColumns_px(*table_) - needed.names_px;
   for (int column = 1; column < columns; ++column) spare_px -= leastWidth(column);
-  for (int column = 1; column < columns; ++column) {
-    const int least_px = leastWidth(column);
-    const int wished_px = std::min(heads.sectionSizeHint(column), widestHead_px);
-    const int more_px = std::clamp(wished_px - least_px, 0, std::max(0, spare_px));
-    table_->setColumnWidth(column, least_px + more_px);
-    spare_px -= more_px;
-    needed.numbers_px += least_px + more_px;
-  }
+  const int differences = valueColumns() + 1;
+  for (const auto& [first, end] : {std::pair{1, differences}, {differences, columns}})
+    for (int column = first; column < end; ++column) {
+      const int least_px = leastWidth(column);
+      const int part_px = std::max(0, spare_px) / (end - column);
+      const int more_px = std::min(wishedWidth(column) - least_px, part_px);
+      table_->setColumnWidth(column, least_px + more_px);
+      spare_px -= more_px;
+      needed.numbers_px += least_px + more_px;
+    }
   keepNamesInSight(*table_, needed);
 }
 

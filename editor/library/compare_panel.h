@@ -94,6 +94,9 @@ class ComparePanel : public QWidget {
   void giveRoomToFigures();
   int nameWidth() const;
   int leastWidth(int column) const;
+  int wishedWidth(int column) const;
+  int valueColumns() const;
+  int tableWidth_px() const;
   void layOutTable();
   void fillTable(const std::vector<const ButtonState*>& states);
   QString distances(const std::vector<const ButtonState*>& states) const;
@@ -108,6 +111,7 @@ class ComparePanel : public QWidget {
   QBoxLayout* belowPlot_ = nullptr;
   ComparePlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
+  int neededTable_px_ = 0;  // when the figures got their room
   QLabel *distance_ = nullptr, *reading_ = nullptr;
   QWidget *figures_ = nullptr, *alone_ = nullptr;  // one of the two is shown
   QVBoxLayout* ways_ = nullptr;

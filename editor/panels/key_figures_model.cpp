@@ -29,7 +29,7 @@ struct Moves {
   Q_DECLARE_TR_FUNCTIONS(Moves)
 };
 
-/// "the press from 1.25 to 4 mm"; empty if the stroke moves by less than a target is met to.
+/// "the press between 1.25 and 4 mm"; empty if the stroke moves by less than a target is met to.
 QString movedStretch(const ForceGraph& before, const ForceGraph& after, Stroke stroke,
                      const DisplayUnits& units) {
   constexpr int samples = 400, digits = 3;
@@ -47,8 +47,8 @@ QString movedStretch(const ForceGraph& before, const ForceGraph& after, Stroke s
     last_mm = at_mm;
   }
   if (!first_mm) return {};
-  return (stroke == Stroke::press ? Moves::tr("the press from %1 to %2")
-                                  : Moves::tr("the release from %1 to %2"))
+  return (stroke == Stroke::press ? Moves::tr("the press between %1 and %2")
+                                  : Moves::tr("the release between %1 and %2"))
       .arg(quantityText(*first_mm, Quantity::length, units, digits),
            quantityWithUnit(*last_mm, Quantity::length, units, digits));
 }
@@ -247,6 +247,10 @@ QString KeyFiguresModel::movesBetween(const ButtonState& before, const ButtonSta
   if (!stretches.isEmpty()) sentences << Moves::tr("Moves %1.").arg(stretches.join(QStringLiteral(", ")));
   if (!figures.isEmpty()) sentences << Moves::tr("Also changes: %1.").arg(figures.join(QStringLiteral(", ")));
   return sentences.join(QLatin1Char(' '));
+}
+
+void KeyFiguresModel::forgetMoves() {
+  if (!preview_) moves_.clear();
 }
 
 void KeyFiguresModel::take() {

@@ -59,8 +59,10 @@ class KeyFiguresModel : public QAbstractTableModel {
   /// Reason why there is no preview; empty with a preview or without requests.
   const QString& conflict() const { return conflict_; }
   /// Stretches of the curve that the preview, or the figure typed last, moves, and the figures that change
-  /// with it: "Moves the press from 1.25 to 4 mm. Also changes: Valley force." Empty without either.
+  /// with it: "Moves the press between 1.25 and 4 mm. Also changes: Valley force." Empty without either.
   const QString& moves() const { return moves_; }
+  /// Clears moves() of the figure typed last; those of a preview stay true.
+  void forgetMoves();
   /// Makes the preview one undo step and clears the requests.
   void take();
   void giveUp();

@@ -23,6 +23,7 @@ namespace {
 
 constexpr QSize panelPictureSize(132, 84);
 constexpr int leastNumber = 3;  // characters before the decimal sign
+constexpr int leastName = 9;    // characters of an elided name, as those of a tab
 // Shown unless all figures are requested: those that datasheets give.
 constexpr KeyFigure firstFigures[] = {
     KeyFigure::preTravel, KeyFigure::operatingForce, KeyFigure::peakForce,   KeyFigure::drop,
@@ -71,6 +72,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   table_->setVerticalHeader(new ShorteningHeader(Qt::Vertical, Qt::ElideRight, table_));
   table_->verticalHeader()->hide();
   table_->setUpForNumbers();
+  table_->setTextElideMode(Qt::ElideMiddle);  // spring rates differ at the end of their names
   meaning_->setWordWrap(true);
   solving_->setMargin(6);
   solving_->hide();
@@ -120,6 +122,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   connect(model_, &QAbstractItemModel::dataChanged, this, &KeyFiguresPanel::layOut);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     trouble_->say(model_->conflict());
+    showMoves();
     showMeaning();
   });
   connect(all_, &QCheckBox::toggled, this, &KeyFiguresPanel::showRows);
@@ -149,31 +152,47 @@ void KeyFiguresPanel::showRows() {
   layOut();
 }
 
-// Numbers get the width they need, names the rest.
+// Numbers get the width they need, names the rest. In a narrow panel the targets, whose units stand beside
+// them under `now`, have none, and names are elided, so that the boxes of `keep` are visible.
 void KeyFiguresPanel::layOut() {
-  const QFontMetrics metrics = table_->fontMetrics();
-  const QHeaderView& heads = *table_->horizontalHeader();
-  int name_px = 0, after_px = 0, others = heads.sectionSizeHint(KeyFiguresModel::keep);
-  table_->setColumnWidth(KeyFiguresModel::keep, others);
-  QString widest;
-  for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted}) {
-    int before_px = leastNumber * metrics.horizontalAdvance(QLatin1Char('0')), columnAfter_px = 0;
-    for (int row = 0; row < model_->rowCount(); ++row) {
-      if (table_->isRowHidden(row)) continue;
-      const QString name = model_->index(row, KeyFiguresModel::figure).data().toString();
-      name_px = std::max(name_px, metrics.horizontalAdvance(name));
-      const auto [before, after] = ValueDelegate::atDecimal(model_->index(row, column));
-      columnAfter_px = std::max(columnAfter_px, metrics.horizontalAdvance(after));
-      before_px = std::max(before_px, metrics.horizontalAdvance(before));
-      if (columnAfter_px > after_px) after_px = columnAfter_px, widest = after;
-    }
-    const int number_px = before_px + columnAfter_px + figureTextMargin_px;
-    table_->setColumnWidth(column, std::max(number_px, heads.sectionSizeHint(column)));
-    others += table_->columnWidth(column);
-  }
-  delegate_->alignDecimals(widest);
+  int name_px = 0;
+  for (int row = 0; row < model_->rowCount(); ++row)
+    if (!table_->isRowHidden(row))
+      name_px = std::max(name_px, table_->fontMetrics().horizontalAdvance(
+                                      model_->index(row, KeyFiguresModel::figure).data().toString()));
   name_px += figureTextMargin_px;
-  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others});
+  const int keep_px = table_->horizontalHeader()->sectionSizeHint(KeyFiguresModel::keep);
+  table_->setColumnWidth(KeyFiguresModel::keep, keep_px);
+  const auto othersIf = [&](bool narrow) {
+    return keep_px + layOutNumbers(KeyFiguresModel::now, narrow) +
+           layOutNumbers(KeyFiguresModel::wanted, narrow);
+  };
+  int others_px = othersIf(false);
+  if (name_px + others_px > widthForColumns_px(*table_)) others_px = othersIf(true);
+  const int leastName_px = leastName * table_->fontMetrics().averageCharWidth();
+  keepNamesInSight(*table_, {KeyFiguresModel::figure, name_px, others_px, leastName_px});
+}
+
+/// Sets the column's width for its numbers and returns it in pixels.
+int KeyFiguresPanel::layOutNumbers(int column, bool narrow) {
+  const bool withUnits = !narrow || column == KeyFiguresModel::now;
+  const int digit_px = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
+  int before_px = narrow ? 0 : leastNumber * digit_px, after_px = 0;
+  QString widest;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (table_->isRowHidden(row)) continue;
+    const QModelIndex cell = model_->index(row, column);
+    const QVariant font = cell.data(Qt::FontRole);  // targets are bold
+    const QFontMetrics metrics(font.isValid() ? font.value<QFont>().resolve(table_->font()) : table_->font());
+    const auto [before, after] = ValueDelegate::atDecimal(cell, withUnits);
+    before_px = std::max(before_px, metrics.horizontalAdvance(before));
+    if (const int this_px = metrics.horizontalAdvance(after); this_px > after_px)
+      after_px = this_px, widest = after;
+  }
+  delegate_->alignDecimals(column, widest, withUnits);
+  table_->setColumnWidth(column, std::max(before_px + after_px + figureTextMargin_px,
+                                          table_->horizontalHeader()->sectionSizeHint(column)));
+  return table_->columnWidth(column);
 }
 
 // On a small screen the explanation is hidden first.
@@ -232,6 +251,8 @@ void KeyFiguresPanel::showSolving() {
 
 void KeyFiguresPanel::showRefusal(const QModelIndex& index, const QString& why) {
   trouble_->say(why);
+  model_->forgetMoves();
+  moves_->hide();  // it would be read as a consequence of the refused value
   table_->scrollTo(index);
 }
 

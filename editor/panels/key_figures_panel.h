@@ -46,6 +46,7 @@ class KeyFiguresPanel : public QWidget {
   void showPreview();
   void showMoves();
   void layOut();
+  int layOutNumbers(int column, bool narrow);
   void showRows();
   void showSolving();
 

@@ -70,7 +70,7 @@ SelectionPanel::SelectionPanel(ButtonDocument& document, ViewSettings& settings,
         return model_->doubt(row_->toValues(cell), text);
       },
       table_);
-  delegate->alignDecimals(QStringLiteral(".000 cN/mm"));
+  delegate->alignDecimals(0, QStringLiteral(".000 cN/mm"));
   table_->setItemDelegate(delegate);
   table_->setUpForNumbers();
   table_->horizontalHeader()->hide();

@@ -15,6 +15,22 @@
 #include "editor/document/graph_colors.h"
 
 namespace detent::editor {
+namespace {
+
+constexpr char filledIn[] = "filledIn";  // property of a line: its text at first
+
+/// A screen reader's text does not count as modified, digits typed again do.
+bool isUntouched(const QLineEdit& line) {
+  return !line.isModified() && line.text() == line.property(filledIn).toString();
+}
+
+/// Width of a line without a frame in which the text is seen whole.
+int lineWidth_px(const QLineEdit& line, const QString& text) {
+  constexpr int margins_px = 6;  // Qt's beside the text, and the cursor
+  return line.fontMetrics().horizontalAdvance(text) + margins_px;
+}
+
+}  // namespace
 
 ValueDelegate::ValueDelegate(Refusal refusal, Doubt doubt, QObject* parent)
     : QStyledItemDelegate(parent), refusal_(std::move(refusal)), doubt_(std::move(doubt)) {}
@@ -28,27 +44,31 @@ QString ValueDelegate::objection(const QString& text, const QModelIndex& index) 
   return question;
 }
 
-std::pair<QString, QString> ValueDelegate::atDecimal(const QModelIndex& cell) {
+std::pair<QString, QString> ValueDelegate::atDecimal(const QModelIndex& cell, bool withUnit) {
   static const QRegularExpression number(QStringLiteral("^[-+\u2212]?[0-9]+"));
-  const QString text = cell.data().toString(), unit = cell.data(unitRole).toString();
+  const QString text = cell.data().toString();
+  const QString unit = withUnit ? u' ' + cell.data(unitRole).toString() : QString();
   const qsizetype whole = number.match(text).capturedLength();
   if (whole == 0) return {text, {}};
-  return {text.left(whole), text.mid(whole) + u' ' + unit};
+  return {text.left(whole), text.mid(whole) + unit};
 }
 
 void ValueDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
   constexpr int margin_px = 4;
-  const auto [before, after] = atDecimal(index);
-  if (tail_.isEmpty() || after.isEmpty()) return QStyledItemDelegate::paint(painter, option, index);
+  const auto tail = tails_.find(index.column());
+  if (tail == tails_.end() || !index.data(unitRole).isValid())
+    return QStyledItemDelegate::paint(painter, option, index);
+  const auto [before, after] = atDecimal(index, tail->second.withUnits);
   QStyleOptionViewItem cell = option;
   initStyleOption(&cell, index);
   const QStyle& style = cell.widget ? *cell.widget->style() : *QApplication::style();
   cell.text.clear();
   style.drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
   const QFontMetrics metrics(cell.font);
-  const int sign_px = std::max(cell.rect.left() + margin_px + metrics.horizontalAdvance(before),
-                               cell.rect.right() - margin_px - metrics.horizontalAdvance(tail_));
+  const int sign_px =
+      std::max(cell.rect.left() + margin_px + metrics.horizontalAdvance(before),
+               cell.rect.right() - margin_px - metrics.horizontalAdvance(tail->second.widest));
   const bool chosen = cell.state & QStyle::State_Selected;
   const auto group = cell.state & QStyle::State_Active ? QPalette::Active : QPalette::Inactive;
   painter->save();
@@ -73,6 +93,28 @@ QWidget* ValueDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
   return editor;
 }
 
+void ValueDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+  auto* line = qobject_cast<QLineEdit*>(editor);
+  if (!line) return QStyledItemDelegate::setEditorData(editor, index);
+  const QString exact = index.data(Qt::EditRole).toString();
+  line->setText(lineWidth_px(*line, exact) <= line->width() ? exact : index.data().toString());
+  line->setProperty(filledIn, line->text());
+}
+
+void ValueDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
+  if (const auto* line = qobject_cast<QLineEdit*>(editor); line && isUntouched(*line)) return;
+  QStyledItemDelegate::setModelData(editor, model, index);
+}
+
+void ValueDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                         const QModelIndex& index) const {
+  QRect place = option.rect;
+  if (const auto* line = qobject_cast<QLineEdit*>(editor))
+    place.setLeft(std::max(
+        0, std::min(place.left(), place.right() + 1 - lineWidth_px(*line, index.data().toString()))));
+  editor->setGeometry(place);
+}
+
 bool ValueDelegate::eventFilter(QObject* object, QEvent* event) {
   auto* editor = qobject_cast<QLineEdit*>(object);
   if (!editor || event->type() != QEvent::KeyPress) return QStyledItemDelegate::eventFilter(object, event);
@@ -81,6 +123,7 @@ bool ValueDelegate::eventFilter(QObject* object, QEvent* event) {
       key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
   const auto* table = qobject_cast<QTableView*>(parent());
   if (!ends || !table) return QStyledItemDelegate::eventFilter(object, event);
+  if (isUntouched(*editor)) return QStyledItemDelegate::eventFilter(object, event);
   const QString why = objection(editor->text(), table->currentIndex());
   if (why.isEmpty()) return QStyledItemDelegate::eventFilter(object, event);
   mark(*editor, why);

@@ -3,6 +3,7 @@
 // Table of numbers with units, and the editor of a cell.
 
 #include <functional>
+#include <map>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <utility>
@@ -25,16 +26,25 @@ class ValueDelegate : public QStyledItemDelegate {
 
   /// Role of a cell's unit, which stands behind the number.
   static constexpr int unitRole = Qt::UserRole;
-  /// Draws numbers with their units, decimal signs below each other; `widest` is the longest text that may
-  /// stand behind the whole part of a number.
-  void alignDecimals(const QString& widest) { tail_ = widest; }
-  /// A cell's text before and from the decimal sign on, its unit included; the second part is empty for a
-  /// text that is no number.
-  static std::pair<QString, QString> atDecimal(const QModelIndex& cell);
+  /// Draws the numbers of a column, with or without their units, decimal signs below each other; `widest` is
+  /// the longest text that may stand behind the whole part of a number.
+  void alignDecimals(int column, const QString& widest, bool withUnits = true) {
+    tails_[column] = {widest, withUnits};
+  }
+  /// A cell's text before and from the decimal sign on, its unit included if wanted; the second part is empty
+  /// for a text that is no number.
+  static std::pair<QString, QString> atDecimal(const QModelIndex& cell, bool withUnit);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const override;
+  /// Fills in the exact number if the cell has space for it, else the text that the cell shows.
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+  /// Leaves the value as it is unless the user has edited the text, which may have fewer digits.
+  void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
+  /// The cell, widened to the left if its text is longer.
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const override;
 
  signals:
   /// Enter or Tab was pressed on a refused text, or for the first time on an unusual one.
@@ -51,7 +61,12 @@ class ValueDelegate : public QStyledItemDelegate {
   Doubt doubt_;
   QPersistentModelIndex questionIndex_;  ///< place of the last question
   QString questionText_;                 ///< text of the question; empty: none
-  QString tail_;  ///< decides where decimal signs stand; empty: numbers end at the right
+  /// Decides where the decimal signs of a column stand. Without one numbers end at the right.
+  struct Tail {
+    QString widest;
+    bool withUnits = true;
+  };
+  std::map<int, Tail> tails_;
 };
 
 /// Table in which typing changes the current cell or nothing: a cell that cannot be edited never passes the

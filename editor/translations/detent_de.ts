@@ -446,12 +446,12 @@ Lizenz: %3</translation>
 <context>
     <name>Moves</name>
     <message>
-        <source>the press from %1 to %2</source>
-        <translation>den Hinweg von %1 bis %2</translation>
+        <source>the press between %1 and %2</source>
+        <translation>den Hinweg zwischen %1 und %2</translation>
     </message>
     <message>
-        <source>the release from %1 to %2</source>
-        <translation>den Rückweg von %1 bis %2</translation>
+        <source>the release between %1 and %2</source>
+        <translation>den Rückweg zwischen %1 und %2</translation>
     </message>
     <message>
         <source>Moves %1.</source>
@@ -6925,8 +6925,8 @@ Lizenz: %3</translation>
         <translation>Kurven&amp;werte (CSV) …</translation>
     </message>
     <message>
-        <source>Write samples of the state shown, in mm and N</source>
-        <translation>Kurvenwerte des gezeigten Zustands schreiben, in mm und N</translation>
+        <source>Write samples of the state shown, in the units shown or in mm and N</source>
+        <translation>Kurvenwerte des gezeigten Zustands schreiben, in den gezeigten Einheiten oder in mm und N</translation>
     </message>
     <message>
         <source>&amp;Vibration of a press (WAV)…</source>

@@ -130,6 +130,10 @@ class OutlinedStyle : public QProxyStyle {
         return drawOutlined<QStyleOptionComboBox>(*option, draw);
       case CC_Slider:
         return drawOutlined<QStyleOptionSlider>(*option, draw);
+      case CC_ScrollBar:
+        if (const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option))
+          return drawScrollBar(*bar, *painter, widget);
+        return draw(*option);
       default:
         return draw(*option);
     }
@@ -167,6 +171,40 @@ class OutlinedStyle : public QProxyStyle {
     painter.setPen(QPen(focused ? option.palette.color(QPalette::Link) : outlineOf(option), focused ? 2 : 1));
     painter.setBrush(fill);
     painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), radius_px, radius_px);
+    painter.restore();
+  }
+
+  /// A flat groove with a handle that is as visible as outlines; Fusion's has nearly the groove's colour.
+  void drawScrollBar(const QStyleOptionSlider& bar, QPainter& painter, const QWidget* widget) const {
+    const auto place = [&](SubControl part) { return subControlRect(CC_ScrollBar, &bar, part, widget); };
+    const auto isAt = [&](SubControl part, StateFlag state) {
+      return (bar.activeSubControls & part) && (bar.state & state);
+    };
+    const QColor background = bar.palette.color(QPalette::Window);
+    painter.save();
+    painter.fillRect(bar.rect, background);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    if (bar.maximum > bar.minimum) {
+      const bool grasped =
+          isAt(SC_ScrollBarSlider, State_Sunken) || isAt(SC_ScrollBarSlider, State_MouseOver);
+      painter.setBrush(grasped ? bar.palette.color(QPalette::WindowText) : outlineOf(bar));
+      painter.drawRoundedRect(QRectF(place(SC_ScrollBarSlider)).adjusted(2, 2, -2, -2), radius_px, radius_px);
+    }
+    const bool lies = bar.orientation == Qt::Horizontal, reversed = lies && bar.direction == Qt::RightToLeft;
+    for (const auto& [part, arrow] :
+         {std::pair{SC_ScrollBarSubLine, lies ? PE_IndicatorArrowLeft : PE_IndicatorArrowUp},
+          {SC_ScrollBarAddLine, lies ? PE_IndicatorArrowRight : PE_IndicatorArrowDown}}) {
+      QStyleOption button(bar);
+      button.rect = place(part);
+      if (isAt(part, State_Sunken)) painter.fillRect(button.rect, bar.palette.mid());
+      const bool left = arrow == PE_IndicatorArrowLeft, right = arrow == PE_IndicatorArrowRight;
+      const PrimitiveElement shown = !reversed ? arrow
+                                     : left    ? PE_IndicatorArrowRight
+                                     : right   ? PE_IndicatorArrowLeft
+                                               : arrow;
+      proxy()->drawPrimitive(shown, &button, &painter, widget);
+    }
     painter.restore();
   }
 

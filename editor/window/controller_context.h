@@ -33,8 +33,14 @@ struct ControllerContext {
   }
   /// Folder of the last file that was saved or exported. Pages that are looked at do not change it.
   QString folderToSave() const { return folder("files/savedIn"); }
+  /// Folder of the last page that was imported; saving elsewhere does not change it.
+  QString folderToImport() const { return folder("files/importedFrom"); }
   void rememberFolder(const QString& folder) const { settings.setValue("files/folder", folder); }
   void rememberFolderOf(const QString& path) const { rememberFolder(QFileInfo(path).absolutePath()); }
+  void rememberImportedFrom(const QString& folder) const {
+    rememberFolder(folder);
+    settings.setValue("files/importedFrom", folder);
+  }
   void rememberSavedIn(const QString& folder) const {
     rememberFolder(folder);
     settings.setValue("files/savedIn", folder);

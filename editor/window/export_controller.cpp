@@ -56,13 +56,13 @@ void ExportController::samples(
     const std::function<Result<Done>(const QString&, const DisplayUnits&)>& writeTo) {
   const DisplayUnits shown = at_.view.units();
   QStringList filters;
-  for (const DisplayUnits& units : {modelUnits, shown})
+  for (const DisplayUnits& units : {shown, modelUnits})
     filters << tr("%1, %2 and %3").arg(kind, units.lengthSymbol(), units.forceSymbol()) + " (*.csv)";
   filters.removeDuplicates();
   QString chosen;
   write(
       tab, tr("Export samples"), filters.join(QStringLiteral(";;")), ".csv",
-      [&](const QString& path) { return writeTo(path, chosen == filters.back() ? shown : modelUnits); },
+      [&](const QString& path) { return writeTo(path, chosen == filters.back() ? modelUnits : shown); },
       &chosen);
 }
 

@@ -49,7 +49,7 @@ class ExportController : public QObject {
   /// `ending` is added to a name without one. A folder has no ending. `chosen` as in Prompts::fileToSave.
   void write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
              const std::function<Result<Done>(const QString&)>& writeTo, QString* chosen = nullptr);
-  /// Writes samples in mm and N or, if the user wants that, in the units shown.
+  /// Writes samples in the units shown or, if the user chooses that, in mm and N.
   void samples(DocumentTab& tab, const QString& kind,
                const std::function<Result<Done>(const QString&, const DisplayUnits&)>& writeTo);
 

@@ -80,8 +80,8 @@ void FileController::openByDialog() {
 
 void FileController::importByDialog() {
   const QStringList chosen =
-      at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), importFilters());
-  for (const QString& path : chosen) at_.rememberFolderOf(path);
+      at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folderToImport(), importFilters());
+  for (const QString& path : chosen) at_.rememberImportedFrom(QFileInfo(path).absolutePath());
   sheets_.importFiles(chosen);
 }
 
@@ -90,13 +90,13 @@ void FileController::importMany() {
     BatchActions actions;
     actions.files = [this](QWidget* parent) {
       QStringList chosen =
-          at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folder(), importFilters());
-      if (!chosen.isEmpty()) at_.rememberFolderOf(chosen.front());
+          at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folderToImport(), importFilters());
+      if (!chosen.isEmpty()) at_.rememberImportedFrom(QFileInfo(chosen.front()).absolutePath());
       return chosen;
     };
     actions.folder = [this](QWidget* parent) {
-      QString chosen = at_.prompts.folder(parent, tr("Import a folder"), at_.folder());
-      if (!chosen.isEmpty()) at_.rememberFolder(chosen);
+      QString chosen = at_.prompts.folder(parent, tr("Import a folder"), at_.folderToImport());
+      if (!chosen.isEmpty()) at_.rememberImportedFrom(chosen);
       return chosen;
     };
     actions.folderToSave = [this](QWidget* parent) {
@@ -130,11 +130,13 @@ void FileController::open(const QStringList& paths) {
   QStringList pages;
   for (const QString& path : paths) {
     const auto kind = inputKindOf(path);
-    if (kind && *kind == InputKind::page)
+    if (kind && *kind == InputKind::page) {
       pages << QFileInfo(path).absoluteFilePath();
-    else
+      at_.rememberImportedFrom(QFileInfo(path).absolutePath());
+    } else {
       openButton(path);
-    if (kind) at_.rememberFolderOf(path);
+      if (kind) at_.rememberFolderOf(path);
+    }
   }
   sheets_.importFiles(pages);
 }

@@ -483,7 +483,10 @@ void MainWindow::updateDocuments() {
   if (comparison_) {
     const bool waiting = view_ == CentreView::compare && comparison_->isAlone() && documents.size() > 1;
     comparison_->setDocuments(documents);
-    if (waiting) compareAll({documents.front(), documents.back()});
+    if (waiting) {
+      compareAll({documents.front(), documents.back()});
+      tabs_->show(*documents.front());  // the button that was being edited stays the one that is
+    }
     if (comparison_->isAlone()) offerToCompare();
   }
   if (forecasts_) forecasts_->setDocuments(documents);

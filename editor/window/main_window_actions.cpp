@@ -105,9 +105,10 @@ void MainWindow::makeFileActions() {
       tabAction("exportGraph", tr("&Graph for datasheet, paper or slide…"),
                 tr("Write the graph ready for print: SVG, PDF or PNG in any size, language and unit"),
                 QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exports().graph(tab); }));
-  exports->addAction(
-      tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
-                QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exports().csv(tab); }));
+  exports->addAction(tabAction("exportCsv", tr("&Samples (CSV)…"),
+                               tr("Write samples of the state shown, in the units shown or in mm and N"),
+                               QKeySequence("Ctrl+Alt+E"),
+                               [this](DocumentTab& tab) { files_->exports().csv(tab); }));
   exports->addAction(tabAction(
       "exportSemicolonCsv", tr("Samples with d&ecimal commas (CSV)…"),
       tr("Write the samples with decimal commas and semicolons, as many spreadsheets expect them"),

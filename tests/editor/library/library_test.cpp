@@ -357,6 +357,38 @@ class LibraryTest : public QObject {
     QTRY_VERIFY(plot->plottable(0)->name() == "CPG151101D283_Polia_Switch_with_a_long_name");
   }
 
+  /// In a window of 1366 x 768: the table fits with other units, too, and shows the names of its buttons.
+  void theTableOfAComparisonHasItsRoom() {
+    ViewSettings settings;
+    const auto named = [](const Button& button, const char* name) {
+      return *Button::fromStates(name, button.states());
+    };
+    ButtonDocument a(named(*tactileButton(), "black-red-curve")),
+        b(named(*scaleForce(*tactileButton(), 2), "brown-german"));
+    ComparePanel panel(settings);
+    panel.resize(1366, 684);
+    panel.setDocuments({&a, &b});
+    panel.compare(&a, &b);
+    panel.show();
+    auto* table = panel.findChild<QTableWidget*>("compareTable");
+    for (const DisplayUnits& units : {DisplayUnits{LengthUnit::millimetre, ForceUnit::newton},
+                                      {LengthUnit::millimetre, ForceUnit::gramForce},
+                                      {LengthUnit::micrometre, ForceUnit::millinewton}}) {
+      settings.setUnits(units);
+      QTRY_VERIFY(panel.tableText().contains(units.forceSymbol() + '"'));
+      QTest::qWait(20);
+      QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+      QVERIFY(table->verticalHeader()->isHidden());
+      for (const int column : {1, 2})
+        QVERIFY2(table->columnWidth(column) >= table->horizontalHeader()->sectionSizeHint(column),
+                 qPrintable(QString("%1, column %2: %3 px")
+                                .arg(units.forceSymbol())
+                                .arg(column)
+                                .arg(table->columnWidth(column))));
+    }
+    QVERIFY(panel.findChild<QWidget*>("comparePlot")->width() > 1366 / 2);
+  }
+
   /// 1366 x 768 at scale 2: the graphs have the height of the window.
   void theWayBetweenTwoIsSeenOnASmallScreen() {
     MorphDialog dialog({*tactileButton(), *linearButton()}, 0, {});

@@ -69,6 +69,8 @@ class KeyFiguresPanelTest : public QObject {
   void whatIsKeptStays();
   void whatIsWantedIsShownBeforeItIsTaken();
   void whatMovesIsSaidBeforeItIsTaken();
+  void locksAreVisibleBesideTargets();
+  void theEditorOfACellShowsTheBeginningOfItsNumber();
   void contradictionsAreNamed();
   void aLimitIsNamedWithWhatStandsInTheWay();
   void whereASolveEndsIsTheSameEverywhere();
@@ -205,12 +207,12 @@ void KeyFiguresPanelTest::whatMovesIsSaidBeforeItIsTaken() {
   const Button before = rig.button();
   QVERIFY(typed(model, KeyFigure::drop, KeyFiguresModel::wanted, "20"));
   QVERIFY(rig.button() == before);
-  QVERIFY2(said->isVisible() && said->text().startsWith("Moves the press from"), qPrintable(said->text()));
+  QVERIFY2(said->isVisible() && said->text().startsWith("Moves the press between"), qPrintable(said->text()));
   QVERIFY2(said->text().contains("Also changes: ") && said->text().contains("Valley force") &&
                !said->text().contains("Tactile drop") && !said->text().contains("the release"),
            qPrintable(said->text()));
   // The stretch that is named is the one that moves.
-  const QStringList ends = said->text().section("from ", 1).section(" mm", 0, 0).split(" to ");
+  const QStringList ends = said->text().section("between ", 1).section(" mm", 0, 0).split(" and ");
   const StrokeCurve &was = before.states()[0].graph.press(), &is = model.preview()->graph.press();
   for (double at_mm = 0; at_mm <= was.end_mm(); at_mm += 0.01)
     if (at_mm < ends[0].toDouble() - 0.02 || at_mm > ends[1].toDouble() + 0.02)
@@ -222,8 +224,92 @@ void KeyFiguresPanelTest::whatMovesIsSaidBeforeItIsTaken() {
   QVERIFY2(said->isVisible() && said->text().startsWith("Also changes: ") &&
                said->text().contains("Operating force"),
            qPrintable(said->text()));
+  // A value that is refused leaves no text about the one before.
+  QVERIFY(typed(model, KeyFigure::differentialTravel, KeyFiguresModel::now, "-1 mm"));
+  QCOMPARE(rig.steps(), 1);
+  QVERIFY2(!said->isVisible(), qPrintable(said->text()));
+  auto* table = panel.findChild<QTableView*>();
+  table->setCurrentIndex(cell(model, KeyFigure::drop, KeyFiguresModel::now));
+  QVERIFY2(!said->isVisible(), qPrintable(said->text()));
   rig.document.history().stack().undo();
   QVERIFY(!said->isVisible());
+  // Beside a preview it comes back when the refused text is given up, because the preview still stands.
+  QVERIFY(typed(model, KeyFigure::drop, KeyFiguresModel::wanted, "20"));
+  QVERIFY(said->isVisible());
+  QVERIFY(!model.setData(cell(model, KeyFigure::peakForce, KeyFiguresModel::wanted), "x", Qt::EditRole));
+  QVERIFY(!said->isVisible());
+  table->setCurrentIndex(cell(model, KeyFigure::peakForce, KeyFiguresModel::now));
+  QVERIFY(said->isVisible());
+}
+
+// In the width that the panel has in a window of 1366 x 768, whatever the units and targets.
+void KeyFiguresPanelTest::locksAreVisibleBesideTargets() {
+  using enum ForceUnit;
+  constexpr int inspector_px = 310;
+  for (const DisplayUnits& units : {DisplayUnits{LengthUnit::millimetre, centinewton},
+                                    {LengthUnit::millimetre, newton},
+                                    {LengthUnit::millimetre, gramForce},
+                                    {LengthUnit::micrometre, millinewton}}) {
+    WorkspaceRig rig(require(scaleForce(tactile(), 1.01234567)));
+    rig.settings.setUnits(units);
+    KeyFiguresPanel panel(rig.document, rig.settings);
+    panel.resize(inspector_px, 400);
+    panel.show();
+    const auto* table = panel.findChild<QTableView*>();
+    for (const bool all : {false, true}) {
+      panel.findChild<QCheckBox*>("allFigures")->setChecked(all);
+      QVERIFY(typed(panel.model(), KeyFigure::peakForce, KeyFiguresModel::wanted, "+11.37 %"));
+      QTest::qWait(20);
+      const int right_px =
+          table->columnViewportPosition(KeyFiguresModel::keep) + table->columnWidth(KeyFiguresModel::keep);
+      QVERIFY2(right_px <= table->viewport()->width() && table->horizontalScrollBar()->maximum() == 0,
+               qPrintable(QString("%1, all %2: %3 of %4")
+                              .arg(units.forceSymbol())
+                              .arg(all)
+                              .arg(right_px)
+                              .arg(table->viewport()->width())));
+      panel.model().giveUp();
+    }
+  }
+}
+
+// A number with more digits than its cell has space for is edited as it is shown, from its beginning on.
+void KeyFiguresPanelTest::theEditorOfACellShowsTheBeginningOfItsNumber() {
+  using enum KeyFigure;
+  WorkspaceRig rig(require(scaleForce(tactile(), 0.987654321)));
+  rig.settings.setUnits({LengthUnit::millimetre, ForceUnit::newton});
+  KeyFiguresPanel panel(rig.document, rig.settings);
+  panel.resize(310, 600);
+  panel.show();
+  QVERIFY(QTest::qWaitForWindowActive(&panel));
+  auto* table = panel.findChild<QTableView*>();
+  KeyFiguresModel& model = panel.model();
+  const Button before = rig.button();
+  const auto editor = [&](KeyFigure figure) {
+    const QModelIndex at = cell(model, figure, KeyFiguresModel::now);
+    const QPoint place = table->visualRect(at).center();
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, place);
+    return table->viewport()->findChild<QLineEdit*>("valueEditor");
+  };
+  for (const KeyFigure figure : {peakForce, snapRatio, totalTravel}) {
+    const QModelIndex at = cell(model, figure, KeyFiguresModel::now);
+    QLineEdit* line = editor(figure);
+    QVERIFY(line);
+    QCOMPARE(line->text(), at.data().toString());
+    QVERIFY(line->fontMetrics().horizontalAdvance(line->text()) < line->width());
+    QTest::keyClick(line, Qt::Key_Return);
+    QTest::qWait(20);
+    QVERIFY2(!model.solving() && rig.steps() == 0 && rig.button() == before, qPrintable(termOf(figure)));
+  }
+  // The same digits typed on purpose are the value from now on.
+  const QModelIndex peak = cell(model, peakForce, KeyFiguresModel::now);
+  const QString shown = peak.data().toString();
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(peak).center());
+  for (const QChar digit : shown) QTest::keyClick(QApplication::focusWidget(), digit.toLatin1());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QTRY_COMPARE_WITH_TIMEOUT(rig.steps(), 1, 60'000);
+  QVERIFY(std::abs(valueOf(rig, peakForce) - shown.toDouble()) < 1e-6);
 }
 
 void KeyFiguresPanelTest::contradictionsAreNamed() {

@@ -32,7 +32,8 @@ class ScriptedPrompts : public Prompts {
     lastUnsaved = titles;
     return next(unsavedAnswers, SaveChoice::cancel);
   }
-  QStringList filesToOpen(QWidget*, const QString&, const QString&, const QStringList&) override {
+  QStringList filesToOpen(QWidget*, const QString&, const QString& folder, const QStringList&) override {
+    lastFolder = folder;
     return next(openAnswers, {});
   }
   QString folder(QWidget*, const QString&, const QString& now) override {

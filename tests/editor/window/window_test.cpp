@@ -28,10 +28,12 @@
 #include <QScopeGuard>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStyleOptionComboBox>
+#include <QStyleOptionSlider>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -1353,6 +1355,11 @@ class WindowTest : public QObject {
       QCOMPARE(rig.prompts.lastFolder, at(folder));
     }
     batch->close();
+    // Pages are looked for where the last one was, not where something was saved since.
+    rig.prompts.saveAnswers = {at("saved/two.csv")};
+    rig.action("exportCsv")->trigger();
+    rig.action("import")->trigger();
+    QCOMPARE(rig.prompts.lastFolder, at("batch"));
   }
 
   void theTabsOfTheLastSessionComeBack() {
@@ -1613,6 +1620,37 @@ class WindowTest : public QObject {
         }
       }
     }
+  }
+
+  // The handle of a scroll bar stands out from its groove, also while it is held.
+  void handlesOfScrollBarsCanBeSeen() {
+    for (const QPalette& palette : {lightPalette(), darkPalette()})
+      for (const Qt::Orientation way : {Qt::Vertical, Qt::Horizontal})
+        for (const bool held : {false, true}) {
+          QScrollBar bar(way);
+          bar.setPalette(palette);
+          bar.setRange(0, 300);
+          bar.setPageStep(100);
+          const QSize hint = bar.sizeHint();
+          bar.resize(way == Qt::Vertical ? QSize(hint.width(), 400) : QSize(400, hint.height()));
+          bar.setSliderDown(held);
+          QStyleOptionSlider option;
+          option.initFrom(&bar);
+          option.orientation = way;
+          option.maximum = 300;
+          option.pageStep = 100;
+          const auto middle = [&](QStyle::SubControl part) {
+            return bar.style()->subControlRect(QStyle::CC_ScrollBar, &option, part, &bar).center();
+          };
+          const QImage seen = bar.grab().toImage();
+          const double found = contrast(seen.pixelColor(middle(QStyle::SC_ScrollBarSlider)),
+                                        seen.pixelColor(middle(QStyle::SC_ScrollBarAddPage)));
+          QVERIFY2(found >= 3, qPrintable(QString("%1 %2 %3: %4")
+                                              .arg(isDark(palette) ? "dark" : "light")
+                                              .arg(way)
+                                              .arg(held ? "held" : "free")
+                                              .arg(found)));
+        }
   }
 
   // The same stroke has the same colour in the window, in its SVG and in a comparison.
@@ -1940,24 +1978,24 @@ class WindowTest : public QObject {
     }
   }
 
-  // The dialogue names the units of the columns: mm and N as in every file, or those of the window.
+  // The dialogue names the units of the columns: first those of the window, then mm and N as in every file.
   void samplesAreWrittenInTheUnitsThatAreChosen() {
     Rig rig(folder_->path());
     rig.view.setUnits({LengthUnit::micrometre, ForceUnit::gramForce});
     rig.window->files().open({sample("buttons/B.button.json")});
     for (const auto& [action, filter, header, first] :
-         {std::tuple{"exportCsv", 0, "stroke,displacement_mm,force_N", "press,0,0.32"},
-          {"exportCsv", 1, "stroke,displacement_µm,force_gf", "press,0,32.630918"},
-          {"exportSemicolonCsv", 0, "stroke;displacement_mm;force_N", "press;0;0,32"},
-          {"exportSemicolonCsv", 1, "stroke;displacement_µm;force_gf", "press;0;32,630918"},
-          {"exportCsvAt", 1, "stroke,displacement_µm,force_gf", "press,0,32.630918"}}) {
+         {std::tuple{"exportCsv", 0, "stroke,displacement_µm,force_gf", "press,0,32.630918"},
+          {"exportCsv", 1, "stroke,displacement_mm,force_N", "press,0,0.32"},
+          {"exportSemicolonCsv", 0, "stroke;displacement_µm;force_gf", "press;0;32,630918"},
+          {"exportSemicolonCsv", 1, "stroke;displacement_mm;force_N", "press;0;0,32"},
+          {"exportCsvAt", 0, "stroke,displacement_µm,force_gf", "press,0,32.630918"}}) {
       rig.prompts.textAnswers = {QString("0.5 mm")};
       rig.prompts.saveAnswers = {at("units.csv")};
       rig.prompts.filterAnswer = filter;
       rig.action(action)->trigger();
       const QStringList filters = rig.prompts.lastFilter.split(";;");
       QCOMPARE(filters.size(), 2);
-      QVERIFY2(filters[0].contains("mm and N") && filters[1].contains("µm and gf"),
+      QVERIFY2(filters[0].contains("µm and gf") && filters[1].contains("mm and N"),
                qPrintable(rig.prompts.lastFilter));
       QFile written(at("units.csv"));
       QVERIFY(written.open(QIODevice::ReadOnly));
@@ -1965,10 +2003,17 @@ class WindowTest : public QObject {
       QCOMPARE(lines[0], QString::fromUtf8(header));
       QVERIFY2(lines[1].startsWith(QLatin1String(first)), qPrintable(lines[1]));
     }
+    rig.view.setUnits(modelUnits);
+    rig.prompts.saveAnswers = {at("units.csv")};
+    rig.prompts.filterAnswer = 0;
+    rig.action("exportCsv")->trigger();
+    QVERIFY2(rig.prompts.lastFilter.contains("mm and N") && !rig.prompts.lastFilter.contains(";;"),
+             qPrintable(rig.prompts.lastFilter));
   }
 
   void samplesAreWrittenAtGivenTravels() {
     Rig rig(folder_->path());
+    rig.view.setUnits(modelUnits);
     rig.window->files().open({sample("buttons/B.button.json")});
     const auto exported = [&](const QString& typed, const char* name) {
       rig.prompts.textAnswers.push_back(typed);
@@ -1988,6 +2033,24 @@ class WindowTest : public QObject {
       QVERIFY2(exported(wrong, "wrong.csv").isEmpty(), wrong);
       QVERIFY2(!rig.notices().join(' ').contains(".."), qPrintable(rig.notices().join(' ')));
     }
+  }
+
+  // Ticks depend on the size of the graph alone, not on the one it had in another view.
+  void ticksStayAfterAComparison() {
+    Rig rig(folder_->path());
+    rig.window->resize(1366, 768);
+    rig.window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
+    const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    QTest::qWait(100);
+    const QVector<double> x = canvas.xAxis->tickVector(), y = canvas.yAxis->tickVector();
+    const QSize size = canvas.size();
+    rig.action("compare")->trigger();
+    QTest::qWait(100);
+    rig.action("edit")->trigger();
+    QTest::qWait(100);
+    QCOMPARE(canvas.size(), size);
+    QCOMPARE(canvas.xAxis->tickVector(), x);
+    QCOMPARE(canvas.yAxis->tickVector(), y);
   }
 
   // In a window of 1366 x 768, whatever the number of buttons; with many the numbers scroll.
@@ -2033,6 +2096,7 @@ class WindowTest : public QObject {
     panel->findChild<QPushButton*>("compare_open")->click();
     QTest::qWait(50);
     QVERIFY(panel->isVisible() && visible("compareTable") && !visible("compareAlone"));
+    QCOMPARE(rig.window->tabs().current(), rig.window->tabs().all()[0]);  // the one edited before
     const auto choice = [&](const char* name) { return panel->findChild<QComboBox*>(name)->currentText(); };
     QCOMPARE(choice("compareButtonA"), rig.window->tabs().all()[0]->document().title());
     QCOMPARE(choice("compareButtonB"), rig.window->tabs().all()[1]->document().title());
