@@ -281,7 +281,7 @@ Remainder remainderOfMarks(const std::vector<Point>& pixels, const ExplainedPlot
   return r;
 }
 
-/// What stands above a curve's end and may be its bottom-out.
+/// A line above a curve's end that may be its bottom-out.
 Remainder remainderOfRise(const UnprovenBottomOut& rise, const ExplainedPlot& plot) {
   std::vector<Point> points;
   for (double y = rise.from.y; y >= rise.to.y; y -= 1) points.push_back({rise.from.x, y});
@@ -522,7 +522,8 @@ Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curve
   const cv::Mat left = leftOver(plot);
   std::vector<Remainder> remainders = remaindersOf(plot, left);
   for (const UnprovenBottomOut& rise : unprovenBottomOuts(curves, scene))
-    remainders.insert(remainders.begin(), remainderOfRise(rise, plot));
+    remainders.insert(std::ranges::find_if(remainders, [](const Remainder& r) { return r.likeness < 1; }),
+                      remainderOfRise(rise, plot));
   std::erase_if(remainders, [&](const Remainder& each) {
     return std::ranges::any_of(curves, [&](const CurveTrace& curve) { return isSampleOf(curve, each); });
   });

@@ -954,21 +954,20 @@ TEST_CASE(
     double at;              // of the frame's width
     double width, opacity;  // of the line above the end
     Rgb colour;
-    double grid_px;          // 0: none
-    bool goesDown, columns;  // the line goes on below the end; the other columns are as thick above
+    double grid_px;  // 0: none
+    bool goesDown;   // the line goes on below the end
     bool left;
   };
   const Row row = GENERATE(values<Row>({
-      {"a hair line on paper", 0.7, 0.4, 1, kBlue, 0, false, false, true},
-      {"a pale line on paper", 0.7, 1, 0.4, kBlue, 0, false, false, true},
-      {"a hair line on a gridline", 0.75, 0.5, 1, kBlue, 1, false, false, true},
-      {"a line on a gridline beyond a lost level stretch", 0.735, 2, 1, kBlue, 1, false, false, true},
-      {"a legend's frame", 0.7, 1, 0.3, kBlack, 0, false, false, false},
-      {"a marker line", 0.7, 1, 1, kBlue, 0, true, false, false},
-      {"columns thicker above", 0.75, 2, 1, kBlue, 1, false, true, false},
-      {"a gridline", 0.75, 0, 0, kBlue, 1, false, false, false},
-      {"nothing", 0.7, 0, 0, kBlue, 0, false, false, false},
-      {"a broad area", 0.7, 60, 0.3, kBlue, 0, false, false, false},
+      {"a hair line on paper", 0.7, 0.4, 1, kBlue, 0, false, true},
+      {"a pale line on paper", 0.7, 1, 0.4, kBlue, 0, false, true},
+      {"a hair line on a gridline", 0.75, 0.5, 1, kBlue, 1, false, true},
+      {"a line on a gridline beyond a lost level stretch", 0.735, 2, 1, kBlue, 1, false, true},
+      {"a legend's frame", 0.7, 1, 0.3, kBlack, 0, false, false},
+      {"a marker line", 0.7, 1, 1, kBlue, 0, true, false},
+      {"a gridline", 0.75, 0, 0, kBlue, 1, false, false},
+      {"nothing", 0.7, 0, 0, kBlue, 0, false, false},
+      {"a broad area", 0.7, 60, 0.3, kBlue, 0, false, false},
   }));
   INFO(row.name);
   Plot plot(700, 430);
@@ -977,10 +976,9 @@ TEST_CASE(
     plot.frame().xLines.push_back({.position_px = plot.at(i / 8.0, 0).x, .spansFrame = true});
   const Loop loop = loopEndingAt(row.at);
   const double end = loop.press.back().y, lane = row.grid_px > 0 ? 0.75 : row.at;
-  for (int i = 0; i <= 8; ++i)
-    if (row.columns || i == 6)
-      if (const double x = row.columns ? i / 8.0 : lane; row.width > 0)
-        plot.line(plot.at({{x, row.goesDown ? 0 : end}, {x, 1}}), row.width, row.colour, false, row.opacity);
+  if (row.width > 0)
+    plot.line(plot.at({{lane, row.goesDown ? 0 : end}, {lane, 1}}), row.width, row.colour, false,
+              row.opacity);
   plot.line(plot.at(loop.press), 3, kBlue);
   CurveTrace press;
   press.points_px = plot.at(loop.press), press.color = kBlue;
