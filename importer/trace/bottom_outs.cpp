@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "importer/page/polyline.h"
 #include "importer/page/quantile.h"
 #include "importer/trace/edge_cut.h"
 
@@ -30,8 +31,9 @@ constexpr std::size_t kLeastRows = 6;  // rows needed to measure a thickness
 constexpr double kProbed_px = 14;      // rows examined; a horizontal line may cover 7 of them
 // line widths beside the bottom-out within which a crest belongs to the corner
 constexpr double kHook = 4;
-constexpr double kHook_px = 4;        // and pixels over which a path bends at a corner
-constexpr double kTopReached_px = 3;  // a bottom-out that ends this close to the frame's edge reaches it
+constexpr double kHook_px = 4;         // and pixels over which a path bends at a corner
+constexpr double kFaintest_px = 0.15;  // of a line in a curve's colour that stands out from noise
+constexpr double kTopReached_px = 3;   // a bottom-out that ends this close to the frame's edge reaches it
 
 /// A curve in area pixels, from left to right, with the properties of its end.
 struct Curve {
@@ -87,13 +89,15 @@ double ownLine(const ColourOnArea& coverage, const PlotArea& area, double x, dou
   return std::abs(area.frame.x1 - x) <= within_px ? std::max(usual, frameLine(coverage, area)) : usual;
 }
 
-/// The plot's own line on a lane, measured below the end; empty if nothing is there for a long distance.
-Thickness lineBelow(const PlumbLane& lane, double riseStart, double own_px, const Box& frame,
+/// The plot's own line on a lane, measured below the end; empty if nothing is there for a long distance. A
+/// gridline is as thick along all of itself, whatever others are; the frame's edge may be drawn twice above.
+Thickness lineBelow(const PlumbLane& lane, double riseStart, double own_px, const Box& frame, double x,
                     double margin_px) {
   const double end = frame.y1 - margin_px;
   const auto below = Thickness::between(lane, riseStart, end);
   if (!below) return {own_px, own_px, own_px};
   if (below->thick <= 0 && end - riseStart > kBareBelow * frame.height()) return {};
+  if (frame.x1 - x > margin_px) return *below;
   return {below->thin, std::max(below->usual, own_px), std::max(below->thick, own_px)};
 }
 
@@ -224,7 +228,7 @@ std::optional<LostBottomOut> bottomOutAt(const Curve& curve, const std::vector<C
   const PlumbLane lane(coverage, area, x);
   const Thickness seen = probedAt(x);
   const Thickness line =
-      lineBelow(lane, ends.lowest + margin, ownLine(coverage, area, x, w + 2), area.frame, margin);
+      lineBelow(lane, ends.lowest + margin, ownLine(coverage, area, x, w + 2), area.frame, x, margin);
   const auto own_px = ownThickness(curve, ends, x, probe - probed, probe, scene);
   const auto isBottomOut = [&](const Thickness& thickness) {
     const double more_px = own_px.value_or(thickness.usual - line.usual);
@@ -315,7 +319,131 @@ void lengthen(CurveTrace& trace, const LostBottomOut& bottomOut, bool reversed, 
   trace.points_px.insert(at, rise.begin(), rise.end());
 }
 
+/// A lane's colour between two rows, less its colour below a curve's end; nullopt if lines of the plot or the
+/// area's edge leave too few rows.
+class LaneGain {
+ public:
+  LaneGain(const PlotScene& scene, double x, double y0, double y1)
+      : scene_(scene), x_(x), below_(laneColour(scene, x, y0, y1)) {}
+  std::optional<Color3> between(double y0, double y1) const {
+    const auto above = below_ ? laneColour(scene_, x_, y0, y1) : std::nullopt;
+    return above ? std::optional(*above - *below_) : std::nullopt;
+  }
+
+ private:
+  const PlotScene& scene_;
+  double x_;
+  std::optional<Color3> below_;
+};
+
+PaletteColour neutralOn(Color3 paper) {
+  const bool light = paper.r + paper.g + paper.b > 382;
+  return paletteColourOf(light ? Rgb{0, 0, 0} : Rgb{255, 255, 255}, paper);
+}
+
+bool isNeutral(const PaletteColour& own, Color3 paper) {
+  return static_cast<double>(dot(own.direction, neutralOn(paper).direction)) > kSameColourAngle;
+}
+
+/// Thickness, in a curve's colour, of a lane's gain. What is neither paper nor that colour is grid, frames of
+/// legends, letters: neutral.
+double gainIn(const PaletteColour& own, Color3 gain, Color3 paper) {
+  const PaletteColour neutral = neutralOn(paper);
+  return isNeutral(own, paper) ? static_cast<double>(dot(gain, own.direction) / own.strength)
+                               : thicknessIn(own, neutral, gain);
+}
+
+/// The line in a curve's colour that begins on a lane above the curve's end: there is more of the colour than
+/// on the same lane below the end, and more than the lanes on either side and the plot's other columns gain
+/// at the same rows.
+std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std::vector<Curve>& curves,
+                                        const PlotScene& scene) {
+  const PlotArea& area = scene.area();
+  const double w = curve.thickness_px, margin = 1.5 * w + 2, aside = 2 * kLaneReach_px + w;
+  double uppermost = curve.end().y, lowest = curve.end().y;
+  for (const Curve& other : curves) {
+    if (endTogether(curve, other)) uppermost = std::min(uppermost, other.end().y);
+    for (const Point& p : other.points)
+      if (std::abs(p.x - x) <= kLaneReach_px + w) lowest = std::max(lowest, p.y);
+  }
+  const auto laneAt = [&](double at) { return LaneGain(scene, at, lowest + margin, area.frame.y1 - margin); };
+  // Rivals: lines of the plot that change there too, and what is drawn over more than the lane.
+  const LaneGain lane = laneAt(x);
+  std::vector<LaneGain> columns, beside;
+  for (const double column : area.columns_px)
+    if (std::abs(column - x) > aside) columns.push_back(laneAt(column));
+  for (const double at : {x - aside, x + aside})
+    if (at < area.frame.x1 - kLaneReach_px) beside.push_back(laneAt(at));
+  const PaletteColour own = paletteColourOf(curve.color, scene.paper());
+  // Vendors draw the frame's right edge twice above a curve's end.
+  if (area.frame.x1 - x <= margin && isNeutral(own, scene.paper())) return {};
+  const auto blocked = [&](double y0, double y1) {
+    const Box box{x - kLaneReach_px, y0, x + kLaneReach_px, y1};
+    return std::ranges::any_of(area.words, [&](const Box& word) { return word.touches(box); }) ||
+           std::ranges::any_of(curves, [&](const Curve& other) {
+             return std::ranges::any_of(other.points, [&](Point p) { return box.contains(p); });
+           });
+  };
+  const auto gainOf = [&](const LaneGain& each, double y0, double y1) {
+    const auto gain = each.between(y0, y1);
+    return gain ? std::optional(gainIn(own, *gain, scene.paper())) : std::nullopt;
+  };
+  const auto gainsOf = [&](const std::vector<LaneGain>& lanes, double y0, double y1) {
+    std::vector<double> gains;
+    for (const LaneGain& each : lanes)
+      if (const auto gain = gainOf(each, y0, y1)) gains.push_back(*gain);
+    return gains;
+  };
+  constexpr double window_px = kLeastRows;
+  std::vector<double> dashes;  // the lane's own line below the end, window by window
+  for (double y = lowest + margin; y + window_px < area.frame.y1 - margin; y += window_px + 1)
+    if (const auto gain = gainOf(lane, y, y + window_px)) dashes.push_back(*gain);
+  if (dashes.empty()) return {};
+  const double ownDash = std::max(0.0, quantileOf(dashes, 1 - kThinRows));
+  const double start = uppermost - margin;
+  double top = start, most_px = 0;
+  for (double y = start; y - window_px > area.frame.y0 + 3; y -= window_px + 1) {
+    if (blocked(y - window_px, y)) break;
+    const auto gain = gainOf(lane, y - window_px, y);
+    if (!gain) continue;  // a level line of the plot
+    const std::vector<double> others = gainsOf(columns, y - window_px, y),
+                              sides = gainsOf(beside, y - window_px, y);
+    const double rival = std::max({ownDash, others.empty() ? 0.0 : quantileOf(others, 0.75),
+                                   sides.empty() ? 0.0 : *std::ranges::min_element(sides)});
+    if (*gain - rival < kFaintest_px) break;
+    most_px = std::max(most_px, *gain - rival);
+    top = y - window_px;
+  }
+  if (start - top < std::max(kLeastHeight * area.frame.height(), kProbed_px)) return {};
+  return UnprovenBottomOut{{x, start}, {x, top}, most_px};
+}
+
 }  // namespace
+
+std::vector<UnprovenBottomOut> unprovenBottomOuts(const std::vector<CurveTrace>& traces,
+                                                  const PlotScene& scene) {
+  std::vector<Curve> curves;
+  for (const CurveTrace& trace : traces)
+    if (trace.points_px.size() >= 2) curves.push_back(curveOnArea(trace, scene.area()));
+  // The last error bar stands on the end of its curve as a bottom-out does.
+  if (std::ranges::any_of(traces, [](const CurveTrace& trace) { return trace.errorBars > 0; })) return {};
+  measureThickness(curves, scene);
+  for (Curve& curve : curves) curve.points = densified(curve.points, 1);
+  std::vector<UnprovenBottomOut> rises;
+  for (const Curve& curve : curves) {
+    if (curve.thickness_px <= 0 || !scene.coverageOf(curve.color).distinct()) continue;
+    const double x = curve.end().x, corner = kHook * curve.thickness_px + kHook_px;
+    std::vector<double> lanes{x};
+    for (const double column : scene.area().columns_px)  // a level stretch up to it may have been lost
+      if (column > x && column <= x + corner) lanes.push_back(column);
+    for (const double at : lanes)
+      if (const auto rise = riseOn(at, curve, curves, scene)) {
+        rises.push_back(*rise);
+        break;
+      }
+  }
+  return rises;
+}
 
 void addLostBottomOuts(std::vector<CurveTrace>& traces, const PlotScene& scene) {
   if (traces.empty() || scene.empty()) return;

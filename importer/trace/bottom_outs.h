@@ -15,4 +15,13 @@ namespace detent::importer::trace {
 /// nearer to the curve's thickness, and in its colour.
 void addLostBottomOuts(std::vector<CurveTrace>& traces, const PlotScene& scene);
 
+/// A line in a curve's colour above its end that may be its bottom-out: too thin, pale or short to be taken.
+struct UnprovenBottomOut {
+  Point from, to;           ///< area px, upwards
+  double thickness_px = 0;  ///< beyond that of the plot's own line there
+};
+
+std::vector<UnprovenBottomOut> unprovenBottomOuts(const std::vector<CurveTrace>& traces,
+                                                  const PlotScene& scene);
+
 }  // namespace detent::importer::trace

@@ -12,6 +12,7 @@
 
 #include "importer/page/polyline.h"
 #include "importer/page/quantile.h"
+#include "importer/trace/bottom_outs.h"
 #include "importer/trace/colour_coverage.h"
 #include "importer/trace/colour_shades.h"
 #include "importer/trace/dash_chains.h"
@@ -280,6 +281,17 @@ Remainder remainderOfMarks(const std::vector<Point>& pixels, const ExplainedPlot
   return r;
 }
 
+/// A line above a curve's end that may be its bottom-out.
+Remainder remainderOfRise(const UnprovenBottomOut& rise, const ExplainedPlot& plot) {
+  std::vector<Point> points;
+  for (double y = rise.from.y; y >= rise.to.y; y -= 1) points.push_back({rise.from.x, y});
+  Remainder r = remainderOf(points, plot, {});
+  r.thickness = rise.thickness_px / plot.thickness();
+  r.straight = r.atAnEnd = true;
+  r.likeness = 1;
+  return r;
+}
+
 /// Returns true if the pixels form many similar pieces: dots, joined across gaps of their own size.
 bool isDotted(const std::vector<Point>& pixels, const cv::Mat& pieces) {
   constexpr std::size_t fewest = 8;
@@ -509,6 +521,9 @@ Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curve
   if (plot.empty()) return {};
   const cv::Mat left = leftOver(plot);
   std::vector<Remainder> remainders = remaindersOf(plot, left);
+  for (const UnprovenBottomOut& rise : unprovenBottomOuts(curves, scene))
+    remainders.insert(std::ranges::find_if(remainders, [](const Remainder& r) { return r.likeness < 1; }),
+                      remainderOfRise(rise, plot));
   std::erase_if(remainders, [&](const Remainder& each) {
     return std::ranges::any_of(curves, [&](const CurveTrace& curve) { return isSampleOf(curve, each); });
   });

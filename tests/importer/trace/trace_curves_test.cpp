@@ -945,6 +945,63 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
   }
 }
 
+TEST_CASE(
+    "A line up from a curve's end is left over if neither the lane below nor the plot's other columns "
+    "explain it",
+    "[trace]") {
+  struct Row {
+    const char* name;
+    double at;              // of the frame's width
+    double width, opacity;  // of the line above the end
+    Rgb colour;
+    double grid_px;  // 0: none
+    bool goesDown;   // the line goes on below the end
+    bool left;
+  };
+  const Row row = GENERATE(values<Row>({
+      {"a hair line on paper", 0.7, 0.4, 1, kBlue, 0, false, true},
+      {"a pale line on paper", 0.7, 1, 0.4, kBlue, 0, false, true},
+      {"a hair line on a gridline", 0.75, 0.5, 1, kBlue, 1, false, true},
+      {"a line on a gridline beyond a lost level stretch", 0.735, 2, 1, kBlue, 1, false, true},
+      {"a legend's frame", 0.7, 1, 0.3, kBlack, 0, false, false},
+      {"a marker line", 0.7, 1, 1, kBlue, 0, true, false},
+      {"a gridline", 0.75, 0, 0, kBlue, 1, false, false},
+      {"nothing", 0.7, 0, 0, kBlue, 0, false, false},
+      {"a broad area", 0.7, 60, 0.3, kBlue, 0, false, false},
+  }));
+  INFO(row.name);
+  Plot plot(700, 430);
+  if (row.grid_px > 0) plot.grid(8, 6, kGrey, row.grid_px);
+  for (int i = 0; row.grid_px > 0 && i <= 8; ++i)
+    plot.frame().xLines.push_back({.position_px = plot.at(i / 8.0, 0).x, .spansFrame = true});
+  const Loop loop = loopEndingAt(row.at);
+  const double end = loop.press.back().y, lane = row.grid_px > 0 ? 0.75 : row.at;
+  if (row.width > 0)
+    plot.line(plot.at({{lane, row.goesDown ? 0 : end}, {lane, 1}}), row.width, row.colour, false,
+              row.opacity);
+  plot.line(plot.at(loop.press), 3, kBlue);
+  CurveTrace press;
+  press.points_px = plot.at(loop.press), press.color = kBlue;
+  const auto left = trace::unprovenBottomOuts({press}, plot.scene());
+  CHECK((left.size() == 1) == row.left);
+}
+
+TEST_CASE("A gridline is as thick as itself below a curve's end, though others are thicker", "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(8, 6, kBlack, 2);
+  for (int i = 0; i <= 8; ++i) {
+    plot.frame().xLines.push_back({.position_px = plot.at(i / 8.0, 0).x, .spansFrame = true});
+    if (i != 6) plot.line(plot.at({{i / 8.0, 0}, {i / 8.0, 1}}), 2.6, kBlack);
+  }
+  CurveTrace stroke;
+  stroke.points_px = plot.at(loopEndingAt(0.75).press), stroke.color = kBlack;
+  plot.line(stroke.points_px, 2.8, kBlack);
+  plot.line({stroke.points_px.back(), plot.at(0.75, 1)}, 3.2, kBlack);
+  std::vector<CurveTrace> traces{stroke};
+  trace::addLostBottomOuts(traces, plot.scene());
+  CHECK(traces[0].points_px.back().y < plot.at(0, 0.97).y);
+}
+
 TEST_CASE("Gridlines of dots in the curve's colour are the plot's, a solid bottom-out on one of them is not",
           "[trace]") {
   Plot plot(700, 430);
