@@ -408,7 +408,7 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
     if (!gain) continue;  // a level line of the plot
     const std::vector<double> others = gainsOf(columns, y - window_px, y),
                               sides = gainsOf(beside, y - window_px, y);
-    const double rival = std::max({ownDash, others.empty() ? 0.0 : quantileOf(others, 0.75),
+    const double rival = std::max({ownDash, others.empty() ? 0.0 : quantileOf(others, 0.5),
                                    sides.empty() ? 0.0 : *std::ranges::min_element(sides)});
     if (*gain - rival < kFaintest_px) break;
     most_px = std::max(most_px, *gain - rival);
