@@ -206,8 +206,8 @@ std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::st
         FailureCode::wrongUsage, device, "",
         Message("the device can hold the force of only one speed; this button has graphs at %1 speeds",
                 program.states[0].speedCount),
-        Message("Do not upload, so that this computer computes the force. Or upload a button with "
-                "one speed, which detent-graph convert --speed V writes")};
+        Message("Leave the upload out; this computer then computes the force. Or upload a button that "
+                "has a single speed: detent-graph convert --speed V makes one")};
   }
   if (program.stateCount != 1) {
     return Failure{FailureCode::wrongUsage, device, "",

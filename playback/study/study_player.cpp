@@ -113,7 +113,8 @@ Result<Done> checkForce(const Study& study, const StudyPlayerSettings& settings)
     return wrong(
         Message(
             "a force device produces forces, but this study compares properties that only a vibration has"),
-        Message("Do not use the force device, or make a study that has only the mode full"));
+        Message(
+            "Either run this study without the force device, or make a study whose only mode is \"full\""));
   for (const StudyStimulus& stimulus : study.stimuli) {
     const Result<PreparedForce> prepared =
         prepareForce(study.buttons[stimulus.button].button, settings.force->profile);

@@ -37,7 +37,7 @@ Result<Done> checkForBrowsers(const Study& study) {
                 "install clang-14, lld-14, wasi-libc, libc++-14-dev-wasm32 and libclang-rt-14-dev-wasm32"));
   if (!study.sites.empty())
     return noStation(Message("this is the merged study of several sites: nobody answers in it"),
-                     Message("Name the study of one site"));
+                     Message("Give the study file of one site only"));
   if (study.design.kind == StudyKind::timing)
     return noStation(Message("a timing study needs exact times, which a browser does not give"),
                      Message("Run the study with detent-play study run or in detent-edit"));

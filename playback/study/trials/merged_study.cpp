@@ -70,9 +70,8 @@ Result<Study> openSites(const std::vector<std::string>& sites, const fs::path& f
     if (merged->unfinished != study->unfinished)
       return cannotMerge(
           siteFolder(folder, site),
-          Message(
-              "the plan of this study treats participants who did not finish differently from that of \"%1\"",
-              sites.front()),
+          Message("this study and \"%1\" have different rules for participants who did not finish",
+                  sites.front()),
           Message("Merge studies of one plan"));
   }
   merged->folder = folder;

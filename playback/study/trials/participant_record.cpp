@@ -96,7 +96,7 @@ class Replay {
     const std::optional<SplitLine> split = splitLine(line);
     if (!split || chainOf(chain_, split->body) != split->chain)
       return wrong(Message("this line or an earlier one was changed by hand"),
-                   Message("Restore the journal from a copy; its answers are not used in this state"));
+                   Message("Restore the journal from a copy; while it is damaged, its answers are not used"));
     chain_ = split->chain;
     const Json json = Json::parse(split->body);
     if (line_ == 1) return header(json);

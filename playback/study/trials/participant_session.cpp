@@ -27,7 +27,7 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
     if (simulated == (start.kind == SessionKind::simulated)) continue;
     return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
                    simulated ? Message("this participant already has simulated answers")
-                             : Message("this participant already has answers of a person"),
+                             : Message("this participant already has answers that a person gave"),
                    Message("Give another participant id")};
   }
   if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
