@@ -52,10 +52,11 @@ QLayout* SoundBox::levelRow() {
     session_.setSettings(next);
   });
   meter_ = described(new LevelMeter, "levelMeter");
-  felt_ = described(new QLabel, "feltLevel",
-                    tr("Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest "
-                       "vibration that a fingertip feels. It is computed from the strength of the transducer "
-                       "in the device profile. ≈ means that this strength was not measured, but assumed."));
+  felt_ = described(
+      new QLabel, "feltLevel",
+      tr("Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest "
+         "vibration that a fingertip feels. It is computed from the strength of the transducer "
+         "in the device profile. ≈ means that the strength of the transducer was assumed, not measured."));
   felt_->setMinimumWidth(
       felt_->fontMetrics().horizontalAdvance(tr("felt %1 dB").arg(QStringLiteral("≈ 100"))));
   felt_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -159,7 +159,8 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
     case QuantityTrouble::mixedUnits:
       return tr("Give every number in “%1” a unit.").arg(reading.culprit);
     case QuantityTrouble::nothingToChange:
-      return tr("“%1” changes the present value, but the field is empty. Type for example %2.")
+      return tr("“%1” is relative to the present value, but the field is empty. Type a value, for example "
+                "%2.")
           .arg(reading.culprit, example);
     case QuantityTrouble::notWhole:
       return tr("“%1” is not a whole number. Type a number without decimals.").arg(reading.culprit);

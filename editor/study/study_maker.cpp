@@ -164,7 +164,7 @@ QLayout* StudyMaker::designForm() {
   form_ = new QFormLayout;
   QFormLayout* const form = form_;
   form->addRow(tr("&Task:"), kind_);
-  form->addRow(tr("Inc&reased quantity:"), quantity_);
+  form->addRow(tr("Quantity that is va&ried:"), quantity_);
   form->addRow(tr("&Scale:"), scale_);
   form->addRow(tr("Press:"), task_);
   form->addRow(tr("Inter&vals in s:"), intervals_);

@@ -28,7 +28,7 @@ constexpr Field fields[] = {
     {"--simulate", "detent::editor::ExperimenterDialog",
      QT_TRANSLATE_NOOP("detent::editor::ExperimenterDialog", "&Answers by:")},
     {"--quantity", "detent::editor::StudyMaker",
-     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Inc&reased quantity:")},
+     QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Quantity that is va&ried:")},
     {"--intervals", "detent::editor::StudyMaker",
      QT_TRANSLATE_NOOP("detent::editor::StudyMaker", "Inter&vals in s:")},
     {"--windows", "detent::editor::StudyMaker",

@@ -2545,8 +2545,8 @@ Lizenz: %3</translation>
         <translation>Die Einheit in „%1“ passt nicht zu diesem Feld. Geben Sie eine Zahl in %2 ein.</translation>
     </message>
     <message>
-        <source>“%1” changes the present value, but the field is empty. Type for example %2.</source>
-        <translation>„%1“ ändert den vorhandenen Wert, aber das Feld ist leer. Geben Sie zum Beispiel %2 ein.</translation>
+        <source>“%1” is relative to the present value, but the field is empty. Type a value, for example %2.</source>
+        <translation>„%1“ ist relativ zum jetzigen Wert, aber das Feld ist leer. Geben Sie einen Wert ein, zum Beispiel %2.</translation>
     </message>
     <message>
         <source>“%1” is not a whole number. Type a number without decimals.</source>
@@ -8761,8 +8761,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Keine Tonausgabe. Betätigungen werden ohne Ton verfolgt. %1</translation>
     </message>
     <message>
-        <source>Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest vibration that a fingertip feels. It is computed from the strength of the transducer in the device profile. ≈ means that this strength was not measured, but assumed.</source>
-        <translation>Stärke der stärksten 10 ms in den letzten 1,5 s, in dB über der schwächsten Vibration, die eine Fingerspitze fühlt. Sie wird aus der Stärke des Wandlers im Geräteprofil berechnet. ≈ bedeutet, dass diese Stärke nicht gemessen, sondern angenommen ist.</translation>
+        <source>Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest vibration that a fingertip feels. It is computed from the strength of the transducer in the device profile. ≈ means that the strength of the transducer was assumed, not measured.</source>
+        <translation>Stärke der stärksten 10 ms in den letzten 1,5 s, in dB über der schwächsten Vibration, die eine Fingerspitze fühlt. Sie wird aus der Stärke des Wandlers im Geräteprofil berechnet. ≈ bedeutet, dass die Stärke des Wandlers angenommen und nicht gemessen ist.</translation>
     </message>
 </context>
 <context>
@@ -9032,8 +9032,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Einer der zwei Taster hat mehr von dieser Größe. Die Studie passt den Unterschied den Antworten an</translation>
     </message>
     <message>
-        <source>Inc&amp;reased quantity:</source>
-        <translation>Erhöhte &amp;Größe:</translation>
+        <source>Quantity that is va&amp;ried:</source>
+        <translation>Veränderte &amp;Größe:</translation>
     </message>
     <message>
         <source>Inter&amp;vals in s:</source>
@@ -11241,8 +11241,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ziehen Sie das Gerät ab, schalten Sie es aus und wieder ein, und stecken Sie es neu ein</translation>
     </message>
     <message>
-        <source>Do not upload, so that this computer computes the force. Or upload a button with one speed, which detent-graph convert --speed V writes</source>
-        <translation>Übertragen Sie nicht, damit dieser Rechner die Kraft berechnet. Oder übertragen Sie einen Taster mit einer Geschwindigkeit, den detent-graph convert --speed V schreibt</translation>
+        <source>Leave the upload out; this computer then computes the force. Or upload a button that has a single speed: detent-graph convert --speed V makes one</source>
+        <translation>Lassen Sie die Übertragung weg; dann berechnet dieser Rechner die Kraft. Oder übertragen Sie einen Taster mit einer einzigen Geschwindigkeit: detent-graph convert --speed V erzeugt ihn</translation>
     </message>
     <message>
         <source>Choose another port</source>
@@ -11933,8 +11933,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>dies ist die zusammengeführte Studie mehrerer Standorte: Darin antwortet niemand</translation>
     </message>
     <message>
-        <source>Name the study of one site</source>
-        <translation>Die Studie eines Standorts angeben</translation>
+        <source>Give the study file of one site only</source>
+        <translation>Geben Sie die Studiendatei nur eines Standorts an</translation>
     </message>
     <message>
         <source>Run the study with detent-play study run or in detent-edit</source>
@@ -12353,8 +12353,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein Kraftgerät erzeugt Kräfte, diese Studie vergleicht aber Eigenschaften, die nur eine Vibration hat</translation>
     </message>
     <message>
-        <source>Do not use the force device, or make a study that has only the mode full</source>
-        <translation>Verzichten Sie auf das Kraftgerät, oder legen Sie eine Studie an, die nur die Art „full“ hat</translation>
+        <source>Either run this study without the force device, or make a study whose only mode is &quot;full&quot;</source>
+        <translation>Führen Sie diese Studie entweder ohne das Kraftgerät durch, oder erstellen Sie eine Studie, deren einziger Modus „full“ ist</translation>
     </message>
     <message>
         <source>the file is not encoded as UTF-8</source>
@@ -12381,8 +12381,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>diese Studie hat andere Fragen oder andere Taster als „%1“</translation>
     </message>
     <message>
-        <source>the plan of this study treats participants who did not finish differently from that of &quot;%1&quot;</source>
-        <translation>der Plan dieser Studie behandelt Versuchspersonen, die nicht fertig wurden, anders als der von „%1“</translation>
+        <source>this study and &quot;%1&quot; have different rules for participants who did not finish</source>
+        <translation>diese Studie und „%1“ haben verschiedene Regeln für Versuchspersonen, die nicht fertig wurden</translation>
     </message>
     <message>
         <source>the folder exists already</source>
@@ -12421,8 +12421,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>diese Versuchsperson hat schon simulierte Antworten</translation>
     </message>
     <message>
-        <source>this participant already has answers of a person</source>
-        <translation>diese Versuchsperson hat schon Antworten einer Person</translation>
+        <source>this participant already has answers that a person gave</source>
+        <translation>diese Versuchsperson hat schon Antworten, die ein Mensch gegeben hat</translation>
     </message>
     <message>
         <source>this participant has used the listening condition &quot;%1&quot; so far, not &quot;%2&quot;</source>
@@ -13069,8 +13069,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Druckverlauf enthält keine Messwerte</translation>
     </message>
     <message>
-        <source>samples were requested too often at once</source>
-        <translation>Abtastwerte wurden zu oft zugleich verlangt</translation>
+        <source>too many requests for samples came at the same time</source>
+        <translation>zu viele Anforderungen von Abtastwerten kamen gleichzeitig</translation>
     </message>
     <message>
         <source>there are no samples</source>
@@ -13130,8 +13130,8 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::Replay</name>
     <message>
-        <source>Restore the journal from a copy; its answers are not used in this state</source>
-        <translation>Stellen Sie das Journal aus einer Kopie wieder her; in diesem Zustand werden seine Antworten nicht benutzt</translation>
+        <source>Restore the journal from a copy; while it is damaged, its answers are not used</source>
+        <translation>Stellen Sie das Journal aus einer Kopie wieder her; solange es beschädigt ist, werden seine Antworten nicht verwendet</translation>
     </message>
     <message>
         <source>Use the program that wrote the journal</source>
