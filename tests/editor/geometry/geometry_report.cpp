@@ -141,9 +141,10 @@ void GeometryReport::write() {
   const QByteArray now = geometryJson();
   if (now == last_) {
     QFile same(file_);
-    if (same.open(QIODevice::ReadWrite))
+    if (same.open(QIODevice::ReadWrite | QIODevice::ExistingOnly)) {
       same.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime);
-    return;
+      return;
+    }
   }
   QSaveFile file(file_);
   if (file.open(QIODevice::WriteOnly) && file.write(now) == now.size() && file.commit()) last_ = now;

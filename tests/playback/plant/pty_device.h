@@ -119,8 +119,8 @@ class PtyDevice {
 };
 
 /// The first run of up to five that is fine or too strong, else one with a punctual device: a machine that
-/// stands still for a moment makes device and program late, which is no verdict on either. Where the device was
-/// late in all of them, the run is not judged. A run has a Witness `device`.
+/// stands still for a moment makes device and program late, which is no verdict on either. Where the device
+/// was late in all of them, the run is not judged. A run has a Witness `device`.
 template <class Run, class Fine>
 auto undisturbed(const Run& runs, const Fine& fine) {
   auto run = runs();

@@ -30,12 +30,15 @@ class Lateness:
     answers (RoundTrips::usual_s). With more, drop-outs or a slow link may be the board's own.
     """
 
-    PERIOD_S, LATE_S, HARMLESS, MEASURING_S = 0.001, 0.00085, 3, 0.040
+    PERIOD_S, LATE_S, HARMLESS = 0.001, 0.00085, 3
     ROW_S = 2 * (HARMLESS + 1) * PERIOD_S  # a punctual answer between late ones does not make the force rise at once
+    MEASURED_S, MEASURED_UNTIL_S = 40 * PERIOD_S, 0.25  # the delay is measured for up to 0.2 s after the greeting
 
     def __init__(self):
-        self.heard_s = self.began_s = None  # first line of the program, and first that sets a force: there the delay is measured
-        self.longest_s, self.late = 0.0, []  # late: (end, periods) of the loops that were
+        self.heard_s = self.began_s = None  # first line of the program, and first that sets a force
+        self.longest_s, self.periods = 0.0, 0
+        self.recent = deque()  # (end, periods) of late loops, as many as the longest window holds
+        self.explains_from_s = None  # when the board had first been so late that the program had to notice
         self.port = None  # here, there; a byte is on its way since sent_s
         self.before_s = self.sent_s = None
 
@@ -67,17 +70,20 @@ class Lateness:
         if self.heard_s is None:
             return
         self.longest_s = max(self.longest_s, took_s)
-        if took_s > self.LATE_S:
-            self.late.append((end_s, math.ceil(took_s / self.PERIOD_S)))
-
-    def periods(self, from_s=0.0, to_s=math.inf):
-        return sum(count for at_s, count in self.late if from_s <= at_s < to_s)
+        if took_s <= self.LATE_S:
+            return
+        self.recent.append((end_s, math.ceil(took_s / self.PERIOD_S)))
+        self.periods += self.recent[-1][1]
+        while end_s - self.recent[0][0] >= self.MEASURED_S:
+            self.recent.popleft()
+        window_s = self.MEASURED_S if end_s - self.heard_s < self.MEASURED_UNTIL_S else self.ROW_S
+        if self.explains_from_s is None and sum(n for at_s, n in self.recent if end_s - at_s < window_s) > self.HARMLESS:
+            self.explains_from_s = end_s
 
     def explains(self, until_s):
         """Whether the board was so late, until this time after its first force, that the program had to notice."""
         began_s = math.inf if self.began_s is None else self.began_s
-        in_a_row = max((self.periods(at_s, at_s + self.ROW_S) for at_s, _ in self.late if at_s <= began_s + until_s), default=0)
-        return max(in_a_row, self.periods(began_s, began_s + self.MEASURING_S)) > self.HARMLESS
+        return self.explains_from_s is not None and self.explains_from_s <= began_s + until_s
 
 
 @dataclass

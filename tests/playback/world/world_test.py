@@ -26,6 +26,7 @@ from session import Scene, play
 
 LIMIT_N = 5.0
 TRAVEL_MM = 10.0
+AFTER_STALL_S = 0.03  # after a stall the force is watched for this time
 SLACK_S = 0.006  # tolerance of measured times: motor lag, steps of the plant, load of the computer
 WORKERS = 2
 ATTEMPTS = 6
@@ -182,7 +183,7 @@ def complaints_of(row, outcome):
         wrong.append(f"force gone after {outcome.until_none_s(fault_s):.4f} s")
     if wanted.after_stall_N is not None:
         goes_on_s = fault_s + row.scene.stall_s
-        back_N = outcome.largest_N(goes_on_s + 0.001, goes_on_s + 0.03)
+        back_N = outcome.largest_N(goes_on_s + 0.001, goes_on_s + AFTER_STALL_S)
         if back_N > wanted.after_stall_N:
             wrong.append(f"{back_N:.3f} N right after going on")
     outside_mm = outcome.outside_mm(TRAVEL_MM, fault_s if wanted.plays else 0)
@@ -210,7 +211,7 @@ def matters_until_s(row):
     wanted, fault_s = row.wanted, row.scene.fault_s
     if wanted.none_s is not None:
         return fault_s + wanted.none_s + SLACK_S
-    return fault_s + row.scene.stall_s + 0.03 if wanted.after_stall_N is not None else row.scene.wait_s
+    return fault_s + row.scene.stall_s + AFTER_STALL_S if wanted.after_stall_N is not None else row.scene.wait_s
 
 
 @dataclass
@@ -244,10 +245,12 @@ def tell(judged, only):
     pending = PENDING.get(judged.row.name)
     verdict = "ok" if not judged.wrong else f"pending {pending}" if pending else "not judged" if judged.late else "FAILED"
     lateness = judged.outcome.lateness
-    late = f"the board was late in {lateness.periods()} periods of 1 ms, longest pause {1000 * lateness.longest_s:.1f} ms"
+    late = f"the board was late in {lateness.periods} periods of 1 ms, longest pause {1000 * lateness.longest_s:.1f} ms"
     wrong = [*judged.wrong, late] if verdict == "FAILED" or only else [late] if verdict == "not judged" else judged.wrong
     print(f"{verdict:18}{judged.row.name}" + (f" ({judged.runs} runs)" if judged.runs > 1 else "")
           + "".join(f"\n                  {w}" for w in wrong))
+    if over_limit(judged.row, judged.outcome):
+        print(f"FORCE ABOVE THE LIMIT in {judged.row.name}")  # tests/run.sh does not repeat that
     if pending and not judged.wrong:
         print("                  passes now: take it off the list PENDING")
     if verdict == "FAILED" or only:
