@@ -96,8 +96,9 @@ Thickness lineBelow(const PlumbLane& lane, double riseStart, double own_px, cons
   const double end = frame.y1 - margin_px;
   const auto below = Thickness::between(lane, riseStart, end);
   if (!below) return {own_px, own_px, own_px};
-  if (below->thick <= 0 && end - riseStart > kBareBelow * frame.height()) return {};
-  if (frame.x1 - x > margin_px) return *below;
+  const bool longEnough = end - riseStart > kBareBelow * frame.height();  // not a gap between two dashes
+  if (below->thick <= 0 && longEnough) return {};
+  if (frame.x1 - x > margin_px && longEnough) return *below;
   return {below->thin, std::max(below->usual, own_px), std::max(below->thick, own_px)};
 }
 
@@ -336,26 +337,9 @@ class LaneGain {
   std::optional<Color3> below_;
 };
 
-PaletteColour neutralOn(Color3 paper) {
-  const bool light = paper.r + paper.g + paper.b > 382;
-  return paletteColourOf(light ? Rgb{0, 0, 0} : Rgb{255, 255, 255}, paper);
-}
-
-bool isNeutral(const PaletteColour& own, Color3 paper) {
-  return static_cast<double>(dot(own.direction, neutralOn(paper).direction)) > kSameColourAngle;
-}
-
-/// Thickness, in a curve's colour, of a lane's gain. What is neither paper nor that colour is grid, frames of
-/// legends, letters: neutral.
-double gainIn(const PaletteColour& own, Color3 gain, Color3 paper) {
-  const PaletteColour neutral = neutralOn(paper);
-  return isNeutral(own, paper) ? static_cast<double>(dot(gain, own.direction) / own.strength)
-                               : thicknessIn(own, neutral, gain);
-}
-
 /// The line in a curve's colour that begins on a lane above the curve's end: there is more of the colour than
-/// on the same lane below the end, and more than the lanes on either side and the plot's other columns gain
-/// at the same rows.
+/// on the same lane below the end, and more than one of the lanes beside it and the median of the plot's other
+/// columns gain at the same rows.
 std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std::vector<Curve>& curves,
                                         const PlotScene& scene) {
   const PlotArea& area = scene.area();
@@ -367,6 +351,13 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
       if (std::abs(p.x - x) <= kLaneReach_px + w) lowest = std::max(lowest, p.y);
   }
   const auto laneAt = [&](double at) { return LaneGain(scene, at, lowest + margin, area.frame.y1 - margin); };
+  const PaletteColour own = paletteColourOf(curve.color, scene.paper());
+  // What is neither paper nor the curve's colour is grid, frames of legends, letters.
+  const PaletteColour neutral =
+      paletteColourOf(isLight(scene.paper()) ? Rgb{0, 0, 0} : Rgb{255, 255, 255}, scene.paper());
+  const bool isNeutral = static_cast<double>(dot(own.direction, neutral.direction)) > kSameColourAngle;
+  // Vendors draw the frame's right edge twice above a curve's end.
+  if (area.frame.x1 - x <= margin && isNeutral) return {};
   // Rivals: lines of the plot that change there too, and what is drawn over more than the lane.
   const LaneGain lane = laneAt(x);
   std::vector<LaneGain> columns, beside;
@@ -374,9 +365,6 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
     if (std::abs(column - x) > aside) columns.push_back(laneAt(column));
   for (const double at : {x - aside, x + aside})
     if (at < area.frame.x1 - kLaneReach_px) beside.push_back(laneAt(at));
-  const PaletteColour own = paletteColourOf(curve.color, scene.paper());
-  // Vendors draw the frame's right edge twice above a curve's end.
-  if (area.frame.x1 - x <= margin && isNeutral(own, scene.paper())) return {};
   const auto blocked = [&](double y0, double y1) {
     const Box box{x - kLaneReach_px, y0, x + kLaneReach_px, y1};
     return std::ranges::any_of(area.words, [&](const Box& word) { return word.touches(box); }) ||
@@ -386,7 +374,9 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
   };
   const auto gainOf = [&](const LaneGain& each, double y0, double y1) {
     const auto gain = each.between(y0, y1);
-    return gain ? std::optional(gainIn(own, *gain, scene.paper())) : std::nullopt;
+    if (!gain) return std::optional<double>();
+    return std::optional(isNeutral ? static_cast<double>(dot(*gain, own.direction) / own.strength)
+                                   : thicknessIn(own, neutral, *gain));
   };
   const auto gainsOf = [&](const std::vector<LaneGain>& lanes, double y0, double y1) {
     std::vector<double> gains;
@@ -402,13 +392,13 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
   const double ownDash = std::max(0.0, quantileOf(dashes, 1 - kThinRows));
   const double start = uppermost - margin;
   double top = start, most_px = 0;
-  for (double y = start; y - window_px > area.frame.y0 + 3; y -= window_px + 1) {
+  for (double y = start; y - window_px > area.frame.y0 + kTopReached_px; y -= window_px + 1) {
     if (blocked(y - window_px, y)) break;
     const auto gain = gainOf(lane, y - window_px, y);
     if (!gain) continue;  // a level line of the plot
     const std::vector<double> others = gainsOf(columns, y - window_px, y),
                               sides = gainsOf(beside, y - window_px, y);
-    const double rival = std::max({ownDash, others.empty() ? 0.0 : quantileOf(others, 0.5),
+    const double rival = std::max({ownDash, others.empty() ? 0.0 : medianOf(others),
                                    sides.empty() ? 0.0 : *std::ranges::min_element(sides)});
     if (*gain - rival < kFaintest_px) break;
     most_px = std::max(most_px, *gain - rival);

@@ -37,6 +37,9 @@ inline Color3 color3Of(Rgb c) {
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
+/// Whether dark curves are drawn on this paper.
+inline bool isLight(Color3 paper) { return paper.r + paper.g + paper.b > 382; }  // half of white
+
 struct PaletteColour {
   Color3 direction;      ///< unit vector, colour minus paper
   float strength = 0;    ///< distance of the full colour from the paper, colour levels

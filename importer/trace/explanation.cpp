@@ -522,8 +522,11 @@ Explanation explain(const PlotScene& scene, const std::vector<CurveTrace>& curve
   const cv::Mat left = leftOver(plot);
   std::vector<Remainder> remainders = remaindersOf(plot, left);
   for (const UnprovenBottomOut& rise : unprovenBottomOuts(curves, scene))
-    remainders.insert(std::ranges::find_if(remainders, [](const Remainder& r) { return r.likeness < 1; }),
-                      remainderOfRise(rise, plot));
+    // Behind dashes and ends that go on, which are doubted as well; before what is only remarked.
+    remainders.insert(
+        std::ranges::find_if(remainders,
+                             [](const Remainder& r) { return r.likeness < 1 || !(r.dashed || r.atAnEnd); }),
+        remainderOfRise(rise, plot));
   std::erase_if(remainders, [&](const Remainder& each) {
     return std::ranges::any_of(curves, [&](const CurveTrace& curve) { return isSampleOf(curve, each); });
   });

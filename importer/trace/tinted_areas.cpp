@@ -86,7 +86,7 @@ class TintedAreas {
   TintedAreas(Raster& raster, Color3 paper)
       : raster_(raster),
         paper_(paper),
-        light_(paper.r + paper.g + paper.b > 382),
+        light_(isLight(paper)),
         rgb_(raster.height_px, raster.width_px, CV_8UC3, raster.rgb.data()),
         contrast_(rgb_.size(), CV_32F) {
     for (int y = 0; y < rgb_.rows; ++y)

@@ -166,7 +166,7 @@ PaletteColour darkness(const PlotColours& plot) {
   }
   if (dark.strength > 0) return dark;
   const Color3 paper = plot.scene.paper();
-  const bool light = paper.r + paper.g + paper.b > 382;
+  const bool light = isLight(paper);
   dark.strength = std::max(1.0F, norm(light ? paper : Color3{255, 255, 255} - paper));
   dark.direction = (1 / dark.strength) * (light ? Color3{} - paper : Color3{255, 255, 255} - paper);
   return dark;
