@@ -197,9 +197,9 @@ void ComparePanel::giveRoomToFigures() {
   const bool beside = split_->orientation() == Qt::Horizontal;
   const int all_px = beside ? width() : height();
   int figures_px = all_px / 2;
+  neededTable_px_ = tableWidth_px();
   if (beside) {
     const double most = sides_.size() < 4 ? 0.5 : 0.28;  // of the panel
-    neededTable_px_ = tableWidth_px();
     figures_px = std::max(leastFigures_px, std::min(static_cast<int>(most * all_px), neededTable_px_));
   }
   split_->setSizes({all_px - figures_px, figures_px});

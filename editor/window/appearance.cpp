@@ -191,19 +191,15 @@ class OutlinedStyle : public QProxyStyle {
       painter.setBrush(grasped ? bar.palette.color(QPalette::WindowText) : outlineOf(bar));
       painter.drawRoundedRect(QRectF(place(SC_ScrollBarSlider)).adjusted(2, 2, -2, -2), radius_px, radius_px);
     }
-    const bool lies = bar.orientation == Qt::Horizontal, reversed = lies && bar.direction == Qt::RightToLeft;
-    for (const auto& [part, arrow] :
-         {std::pair{SC_ScrollBarSubLine, lies ? PE_IndicatorArrowLeft : PE_IndicatorArrowUp},
-          {SC_ScrollBarAddLine, lies ? PE_IndicatorArrowRight : PE_IndicatorArrowDown}}) {
+    const bool lies = bar.orientation == Qt::Horizontal;
+    PrimitiveElement back = lies ? PE_IndicatorArrowLeft : PE_IndicatorArrowUp;
+    PrimitiveElement forth = lies ? PE_IndicatorArrowRight : PE_IndicatorArrowDown;
+    if (lies && bar.direction == Qt::RightToLeft) std::swap(back, forth);
+    for (const auto& [part, arrow] : {std::pair{SC_ScrollBarSubLine, back}, {SC_ScrollBarAddLine, forth}}) {
       QStyleOption button(bar);
       button.rect = place(part);
       if (isAt(part, State_Sunken)) painter.fillRect(button.rect, bar.palette.mid());
-      const bool left = arrow == PE_IndicatorArrowLeft, right = arrow == PE_IndicatorArrowRight;
-      const PrimitiveElement shown = !reversed ? arrow
-                                     : left    ? PE_IndicatorArrowRight
-                                     : right   ? PE_IndicatorArrowLeft
-                                               : arrow;
-      proxy()->drawPrimitive(shown, &button, &painter, widget);
+      proxy()->drawPrimitive(arrow, &button, &painter, widget);
     }
     painter.restore();
   }

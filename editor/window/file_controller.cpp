@@ -81,7 +81,7 @@ void FileController::openByDialog() {
 void FileController::importByDialog() {
   const QStringList chosen =
       at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folderToImport(), importFilters());
-  for (const QString& path : chosen) at_.rememberImportedFrom(QFileInfo(path).absolutePath());
+  if (!chosen.isEmpty()) at_.rememberImportedFrom(QFileInfo(chosen.front()).absolutePath());
   sheets_.importFiles(chosen);
 }
 
