@@ -352,7 +352,7 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
   }
   const auto laneAt = [&](double at) { return LaneGain(scene, at, lowest + margin, area.frame.y1 - margin); };
   const PaletteColour own = paletteColourOf(curve.color, scene.paper());
-  // What is neither paper nor the curve's colour is grid, frames of legends, letters.
+  // Pixels of neither the paper nor the curve's colour are grid, frames of legends, letters.
   const PaletteColour neutral =
       paletteColourOf(isLight(scene.paper()) ? Rgb{0, 0, 0} : Rgb{255, 255, 255}, scene.paper());
   const bool isNeutral = static_cast<double>(dot(own.direction, neutral.direction)) > kSameColourAngle;

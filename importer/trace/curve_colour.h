@@ -37,7 +37,7 @@ inline Color3 color3Of(Rgb c) {
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
-/// Whether dark curves are drawn on this paper.
+/// Returns true for paper on which curves are darker.
 inline bool isLight(Color3 paper) { return paper.r + paper.g + paper.b > 382; }  // half of white
 
 struct PaletteColour {
