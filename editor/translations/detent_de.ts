@@ -12081,7 +12081,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sie haben keine Berechtigung, das Gerät zu benutzen</translation>
     </message>
     <message>
-        <source>another program is using the device</source>
+        <source>the device is in use by another program</source>
         <translation>ein anderes Programm benutzt das Gerät</translation>
     </message>
     <message>
@@ -13288,11 +13288,11 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>zwei Geräte haben diesen Namen, weil ihre Seriennummern gleich sind; das andere ist %1</translation>
     </message>
     <message>
-        <source>another program is using the device</source>
+        <source>the device is in use by another program</source>
         <translation>ein anderes Programm benutzt das Gerät</translation>
     </message>
     <message>
-        <source>%1 is using the device</source>
+        <source>the device is in use by %1</source>
         <translation>%1 benutzt das Gerät</translation>
     </message>
     <message>

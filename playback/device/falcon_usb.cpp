@@ -66,7 +66,7 @@ Failure usbTrouble(unsigned number, int error) {
   }
   if (error == LIBUSB_ERROR_BUSY) {
     return {FailureCode::deviceTrouble, falconName(number), "",
-            Message("another program is using the device"), Message("End the other program")};
+            Message("the device is in use by another program"), Message("End the other program")};
   }
   return {FailureCode::deviceTrouble, falconName(number), "",
           Message("the device cannot be opened (%1)", libusb_strerror(static_cast<libusb_error>(error))),

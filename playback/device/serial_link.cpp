@@ -82,8 +82,8 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
   if (errno == EBUSY) {
     const std::string holder = holderOf(port);
     return Failure{FailureCode::deviceTrouble, port, "",
-                   holder.empty() ? Message("another program is using the device")
-                                  : Message("%1 is using the device", holder),
+                   holder.empty() ? Message("the device is in use by another program")
+                                  : Message("the device is in use by %1", holder),
                    Message("End that program, then try again")};
   }
   if (errno == EINVAL) {
