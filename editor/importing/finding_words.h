@@ -32,7 +32,7 @@ QString inWords(const importer::Remark& remark, const DisplayUnits& units);
 /// One line; empty without evidence.
 QString inWords(const std::vector<importer::EvidenceItem>& evidence, const DisplayUnits& units);
 
-/// "Which of the switches? A (#000000), B (#ff0000)"
+/// "Which switch should be read? A (#000000), B (#ff0000)"
 QString inWords(const importer::Question& question);
 
 /// Text of a correction's button: "Draw plot frame"; empty if the remedy is not a correction.

@@ -19,10 +19,8 @@ namespace {
 
 constexpr char filledIn[] = "filledIn";  // property of a line: its text at first
 
-/// A screen reader's text does not count as modified, digits typed again do.
-bool isUntouched(const QLineEdit& line) {
-  return !line.isModified() && line.text() == line.property(filledIn).toString();
-}
+/// The text may have fewer digits than the value, which typing the same again must not round.
+bool isUntouched(const QLineEdit& line) { return line.text() == line.property(filledIn).toString(); }
 
 /// Width of a line without a frame in which the text is seen whole.
 int lineWidth_px(const QLineEdit& line, const QString& text) {

@@ -40,7 +40,7 @@ class ValueDelegate : public QStyledItemDelegate {
                         const QModelIndex& index) const override;
   /// Fills in the exact number if the cell has space for it, else the text that the cell shows.
   void setEditorData(QWidget* editor, const QModelIndex& index) const override;
-  /// Leaves the value as it is unless the user has edited the text, which may have fewer digits.
+  /// Leaves the value as it is if the text is the one that was filled in, which may have fewer digits.
   void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
   /// The cell, widened to the left if its text is longer.
   void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,

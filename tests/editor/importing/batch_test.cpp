@@ -116,7 +116,7 @@ class BatchTest : public QObject {
       QCOMPARE(rig.cell(row, 1), QString("%1 %").arg(qRound(100 * confidence)));
     }
     QCOMPARE(rig.cell(2, 1), QString("Question"));
-    QVERIFY2(rig.cell(2, 2).startsWith("Which of the switches? ") && rig.cell(2, 2).contains("Red"),
+    QVERIFY2(rig.cell(2, 2).startsWith("Which switch should be read? ") && rig.cell(2, 2).contains("Red"),
              qPrintable(rig.cell(2, 2)));
     for (int row = 3; row < 6; ++row) {
       QCOMPARE(rig.cell(row, 1), QString("Refused"));

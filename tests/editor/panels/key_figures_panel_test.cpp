@@ -302,14 +302,20 @@ void KeyFiguresPanelTest::theEditorOfACellShowsTheBeginningOfItsNumber() {
     QTest::qWait(20);
     QVERIFY2(!model.solving() && rig.steps() == 0 && rig.button() == before, qPrintable(termOf(figure)));
   }
-  // The same digits typed on purpose are the value from now on.
+  // The same digits typed again round nothing; one more digit is a new value.
   const QModelIndex peak = cell(model, peakForce, KeyFiguresModel::now);
   const QString shown = peak.data().toString();
-  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(peak).center());
-  for (const QChar digit : shown) QTest::keyClick(QApplication::focusWidget(), digit.toLatin1());
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  const auto type = [&](const QString& text) {
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(peak).center());
+    for (const QChar digit : text) QTest::keyClick(QApplication::focusWidget(), digit.toLatin1());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  };
+  type(shown);
+  QTest::qWait(20);
+  QVERIFY(!model.solving() && rig.steps() == 0 && rig.button() == before);
+  type(shown + u'5');
   QTRY_COMPARE_WITH_TIMEOUT(rig.steps(), 1, 60'000);
-  QVERIFY(std::abs(valueOf(rig, peakForce) - shown.toDouble()) < 1e-6);
+  QVERIFY(std::abs(valueOf(rig, peakForce) - (shown + u'5').toDouble()) < 1e-6);
 }
 
 void KeyFiguresPanelTest::contradictionsAreNamed() {
