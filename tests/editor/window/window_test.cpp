@@ -1064,7 +1064,7 @@ class WindowTest : public QObject {
     QVERIFY(!rig.document().origin());
     rig.prompts.openAnswers.push_back({sheet});
     rig.press("findSheet");
-    QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("not the datasheet"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("from another datasheet"), 60000);
     rig.prompts.openAnswers.push_back({at("elsewhere/renamed.pdf")});
     rig.press("findSheet");
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
@@ -1461,7 +1461,7 @@ class WindowTest : public QObject {
     for (const QAction* action : rig.window->allActions())
       if (action->objectName().startsWith("tool")) QVERIFY(!action->toolTip().contains("Click"));
     QCOMPARE(inWords(Message("the file cannot be written: %1", "x"), settings.units()),
-             QString("lässt sich nicht schreiben: x"));
+             QString("die Datei lässt sich nicht schreiben: x"));
     const auto inGerman = [&](const char* words) {
       return inWords(Message::of(words, {}), settings.units()) != QString::fromUtf8(words);
     };
@@ -1471,9 +1471,9 @@ class WindowTest : public QObject {
       QVERIFY2(inGerman(quantity.word), quantity.word);
     for (const auto& listening : playback::listenings.all) QVERIFY2(inGerman(listening.word), listening.word);
     const auto device = playback::forceDeviceFrom("serial:");
-    QVERIFY2(
-        sentenceOf(device.failure(), settings.units()).contains(QString::fromUtf8("der Anschluss fehlt")),
-        qPrintable(sentenceOf(device.failure(), settings.units())));
+    QVERIFY2(sentenceOf(device.failure(), settings.units())
+                 .contains(QString::fromUtf8("seriellen Schnittstelle fehlt")),
+             qPrintable(sentenceOf(device.failure(), settings.units())));
   }
 
   // Corrections in the import dialogue survive a kill; Escape asks before it throws them away.
