@@ -12225,12 +12225,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Datei ist weder JSON noch eine lesbare Tondatei</translation>
     </message>
     <message>
-        <source>a top dead zone of %1 reaches past the release point, which is at %2</source>
-        <translation>eine obere Totzone von %1 reicht über den Rückstellpunkt bei %2 hinaus</translation>
+        <source>the top dead zone of %1 is not between 0 and the release point, which is at %2</source>
+        <translation>die obere Totzone von %1 liegt nicht zwischen 0 und dem Rückstellpunkt, der bei %2 liegt</translation>
     </message>
     <message>
-        <source>a bottom dead zone of %1 before the end of the travel at %2 reaches past the actuation point, which is at %3</source>
-        <translation>eine untere Totzone von %1 vor dem Ende des Wegs bei %2 reicht über den Auslösepunkt bei %3 hinaus</translation>
+        <source>the bottom dead zone of %1 is not between 0 and %2, the distance from the actuation point to the end of the travel</source>
+        <translation>die untere Totzone von %1 liegt nicht zwischen 0 und %2, dem Abstand vom Auslösepunkt zum Ende des Wegs</translation>
     </message>
     <message>
         <source>this entry is given twice</source>

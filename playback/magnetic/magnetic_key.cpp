@@ -61,16 +61,17 @@ Result<Done> checked(const MagneticKeySettings& s) {
   }
   if (!(s.topDeadZone_mm >= 0 && s.topDeadZone_mm <= s.reset_mm))
     return Failure{FailureCode::wrongUsage, "top dead zone", "",
-                   Message("a top dead zone of %1 reaches past the release point, which is at %2",
+                   Message("the top dead zone of %1 is not between 0 and the release point, which is at %2",
                            length(s.topDeadZone_mm), length(s.reset_mm)),
                    Message("Set at most %1, or move the release point down", length(s.reset_mm))};
   const double longestBottom_mm = s.travel_mm - s.actuate_mm;
   if (!(s.bottomDeadZone_mm >= 0 && s.bottomDeadZone_mm <= longestBottom_mm))
-    return Failure{FailureCode::wrongUsage, "bottom dead zone", "",
-                   Message("a bottom dead zone of %1 before the end of the travel at %2 reaches past the "
-                           "actuation point, which is at %3",
-                           length(s.bottomDeadZone_mm), length(s.travel_mm), length(s.actuate_mm)),
-                   Message("Set at most %1, or move the actuation point up", length(longestBottom_mm))};
+    return Failure{
+        FailureCode::wrongUsage, "bottom dead zone", "",
+        Message("the bottom dead zone of %1 is not between 0 and %2, the distance from the actuation "
+                "point to the end of the travel",
+                length(s.bottomDeadZone_mm), length(longestBottom_mm)),
+        Message("Set at most %1, or move the actuation point up", length(longestBottom_mm))};
   return Done{};
 }
 

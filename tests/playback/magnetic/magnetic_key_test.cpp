@@ -140,15 +140,15 @@ TEST_CASE("magnetic key: settings that contradict each other are refused by name
        "release point: 2 mm does not lie between rest and the actuation point, 2 mm. Set less than 2 mm"},
       {at(2, -0.5), "release point: -0.5 mm"},
       {keyOf(good, 1.75),
-       "top dead zone: a top dead zone of 1.75 mm reaches past the release point, which is at 1.5 mm. Set at "
-       "most 1.5"},
-      {keyOf(good, -0.5), "top dead zone: -0.5 mm"},
+       "top dead zone: the top dead zone of 1.75 mm is not between 0 and the release point, which is at 1.5 "
+       "mm. Set at most 1.5"},
+      {keyOf(good, -0.5), "top dead zone: the top dead zone of -0.5 mm is not between 0"},
       {keyOf(good, nan), "top dead zone: "},
       {keyOf(good, 0, 2.5),
-       "bottom dead zone: 2.5 mm before the end of the travel, 4 mm, reaches past the actuation "
-       "point, 2 mm. Set at most 2 mm"},
-      {keyOf(good, 0, -0.5), "bottom dead zone: -0.5 mm"},
-      {keyOf(good, 3, 3), "top dead zone: 3 mm"},  // they overlap
+       "bottom dead zone: the bottom dead zone of 2.5 mm is not between 0 and 2 mm, the distance from the "
+       "actuation point to the end of the travel. Set at most 2 mm"},
+      {keyOf(good, 0, -0.5), "bottom dead zone: the bottom dead zone of -0.5 mm is not between 0"},
+      {keyOf(good, 3, 3), "top dead zone: the top dead zone of 3 mm"},  // they overlap
   };
   for (const auto& [settings, words] : cases) {
     const Result<Done> result = checked(settings);
