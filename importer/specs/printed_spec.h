@@ -31,7 +31,7 @@ struct SpecCheck {
   bool agrees = false;  ///< inside the tolerance, or within 3 % of the nominal where none is printed
 };
 
-/// "differs from the page: total travel 3.9 mm read, 4 mm printed (page 1: "...")".
+/// "total travel differs from the page: 3.9 mm read, 4 mm printed (page 1: "...")".
 Message messageOf(const SpecCheck& check);
 
 /// All specs of a page; rows are put together from text boxes at one height. Values without a unit are left

@@ -322,10 +322,11 @@ TEST_CASE("a doubt about an axis names what the axis shows") {
     bool mayBeForce;
   };
   for (const Row& row :
-       {Row{"inductance (H)", "the y axis measures \"inductance (H)\"", true},
-        Row{"kPa", "the y axis measures \"kPa\"", true},
-        Row{"values on a logarithmic scale", "the y axis is logarithmic", false},
-        Row{"categories, not to scale", "the y axis has categories instead of a scale", false}}) {
+       {Row{"inductance (H)", "the y axis cannot be used: it measures \"inductance (H)\"", true},
+        Row{"kPa", "the y axis cannot be used: it measures \"kPa\"", true},
+        Row{"values on a logarithmic scale", "the y axis cannot be used: it is logarithmic", false},
+        Row{"categories, not to scale", "the y axis cannot be used: it has categories instead of a scale",
+            false}}) {
     CAPTURE(row.quantity);
     AxisCalibration axes;
     CHECK(otherQuantitiesOf(axes).empty());
@@ -731,7 +732,8 @@ TEST_CASE("an uneven scale is named as the reason even where some of its labels 
     REQUIRE(axes);
     const auto doubts = otherQuantitiesOf(axes->calibration.value);
     REQUIRE(doubts.size() == 1);
-    CHECK(english(messageOf(doubts.front())) == "the x axis has categories instead of a scale");
+    CHECK(english(messageOf(doubts.front())) ==
+          "the x axis cannot be used: it has categories instead of a scale");
     CHECK_FALSE(doubts.front().remedies.include(RemedyKind::giveXUnit));  // no unit makes it even
     CHECK_FALSE(doubts.front().remedies.empty());
   }

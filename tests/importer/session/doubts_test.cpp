@@ -667,11 +667,15 @@ TEST_CASE("the doubt about a second scale says what the scale names") {
     const char *title, *sentence;
   };
   for (const Row& row :
-       {Row{RightScale::other, "Voltage (V)", "a second scale on the right measures \"voltage (V)\""},
-        Row{RightScale::other, "Contact [mV]", "a second scale on the right measures \"mV\""},
-        Row{RightScale::other, "", "a second scale on the right names no unit of force"},
-        Row{RightScale::other, "Force", "a second scale on the right names no unit of force"},
-        Row{RightScale::otherForces, "Force [gf]", "a second scale on the right also measures forces"}}) {
+       {Row{RightScale::other, "Voltage (V)",
+            "there is a second scale on the right, and it measures \"voltage (V)\""},
+        Row{RightScale::other, "Contact [mV]",
+            "there is a second scale on the right, and it measures \"mV\""},
+        Row{RightScale::other, "", "there is a second scale on the right, and it names no unit of force"},
+        Row{RightScale::other, "Force",
+            "there is a second scale on the right, and it names no unit of force"},
+        Row{RightScale::otherForces, "Force [gf]",
+            "there is a second scale on the right, and it also measures forces"}}) {
     CAPTURE(row.title);
     Import scales;
     scales.graph.axes.rightScale = row.scale;

@@ -119,6 +119,6 @@ TEST_CASE("Printed values are held against what the graph shows") {
   CHECK_FALSE(checks[1].agrees);
   CHECK(checks[1].read == Approx(4.0));
   CHECK_THAT(english(messageOf(checks[1])),
-             Catch::Contains("differs from the page: total travel 4 mm read, 3.5 mm printed (page 3"));
+             Catch::Contains("total travel differs from the page: 4 mm read, 3.5 mm printed (page 3"));
   CHECK(checks[2].agrees);
 }
