@@ -335,7 +335,7 @@ TEST_CASE("curves that make no pair beside a second scale of forces are refused 
   const ProgramResult refused = import(folder, {"two.svg"});
   CHECK(refused.exitCode == 5);
   CHECK_THAT(refused.err,
-             Catch::Contains("a second scale on the right also measures forces. Import a graph"));
+             Catch::Contains("and it also measures forces. Import a graph"));
 }
 
 TEST_CASE("--list and the import name what a plot measures in place of a force") {

@@ -153,7 +153,7 @@ TEST_CASE("Falcon firmware: a file that is none is refused with a sentence") {
   CHECK(*readFalconFirmware(file("good.bin", image)) == image);
   auto refused = readFalconFirmware(file("short.bin", shorter));
   REQUIRE_FALSE(refused);
-  CHECK(english(refused.failure().problem).starts_with("is not Falcon firmware"));
+  CHECK(english(refused.failure().problem).starts_with("the file is not Falcon firmware"));
   CHECK_FALSE(readFalconFirmware(file("huge.bin", std::vector<std::uint8_t>(1 << 19, 0))));
   CHECK_FALSE(readFalconFirmware((folder / "missing.bin").string()));
   CHECK_FALSE(readFalconFirmware(folder.string()));
