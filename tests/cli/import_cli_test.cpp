@@ -345,7 +345,7 @@ TEST_CASE("--list and the import name what a plot measures in place of a force")
   REQUIRE(svg.find(title) != std::string::npos);
   svg.replace(svg.find(title), title.size(), "Inductance (H)");
   folder.write("other.svg", svg);
-  const char* const said = "the y axis measures \"inductance (H)\"";
+  const char* const said = "the y axis cannot be used: it measures \"inductance (H)\"";
   const ProgramResult listed = import(folder, {"--list", "other.svg", "--json"});
   CHECK(listed.exitCode == 4);
   CHECK(json::parse(listed.out)["graphs"].empty());
