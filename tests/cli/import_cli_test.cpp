@@ -334,8 +334,7 @@ TEST_CASE("curves that make no pair beside a second scale of forces are refused 
   folder.write("two.svg", svg);
   const ProgramResult refused = import(folder, {"two.svg"});
   CHECK(refused.exitCode == 5);
-  CHECK_THAT(refused.err,
-             Catch::Contains("and it also measures forces. Import a graph"));
+  CHECK_THAT(refused.err, Catch::Contains("and it also measures forces. Import a graph"));
 }
 
 TEST_CASE("--list and the import name what a plot measures in place of a force") {
