@@ -70,11 +70,12 @@ class MagneticDialogTest : public QObject {
     QVERIFY(!accept(dialog)->isEnabled() && !said(dialog, "magneticRefusal").isEmpty());
     type(dialog, "magneticReset", "1.5");
     type(dialog, "magneticTop", "1.6");
-    QVERIFY(refused(
-        "top dead zone: a top dead zone of 1.6 mm reaches past the release point, which is at 1.5 mm."));
+    QVERIFY(
+        refused("top dead zone: the top dead zone of 1.6 mm is not between 0 and the release point, which is "
+                "at 1.5 mm."));
     type(dialog, "magneticTop", "0");
     type(dialog, "magneticBottom", "3");
-    QVERIFY(refused("reaches past the actuation point"));
+    QVERIFY(refused("the bottom dead zone of 3 mm is not between 0 and 2 mm"));
     type(dialog, "magneticBottom", "2");
     QVERIFY(accept(dialog)->isEnabled());
     box(dialog, "magneticRapid")->click();
