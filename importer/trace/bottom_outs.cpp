@@ -190,19 +190,38 @@ Ends endsBeside(const Curve& curve, const std::vector<Curve>& curves, Color3 pap
   return ends;
 }
 
+/// Distance from a curve's end beyond which its corner has no pixels.
+double marginOf(const Curve& curve) { return 1.5 * curve.thickness_px + 2; }
+
+/// A lane's colour between two rows, less its colour below a curve's end; nullopt if lines of the plot or the
+/// area's edge leave too few rows.
+class LaneGain {
+ public:
+  LaneGain(const PlotScene& scene, double x, double y0, double y1)
+      : scene_(scene), x_(x), below_(laneColour(scene, x, y0, y1)) {}
+  std::optional<Color3> between(double y0, double y1) const {
+    const auto above = below_ ? laneColour(scene_, x_, y0, y1) : std::nullopt;
+    return above ? std::optional(*above - *below_) : std::nullopt;
+  }
+
+ private:
+  const PlotScene& scene_;
+  double x_;
+  std::optional<Color3> below_;
+};
+
 /// Thickness, in a curve's colour, of what a lane shows above an end and not below it, if all of that is the
 /// curve's or another's that ends there; nullopt without others or rows.
 std::optional<double> ownThickness(const Curve& curve, const Ends& ends, double x, double y0, double y1,
                                    const PlotScene& scene) {
   if (ends.others.empty()) return {};
-  const double margin = 1.5 * curve.thickness_px + 2;
-  const auto above = laneColour(scene, x, y0, y1),
-             below = laneColour(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin);
-  if (!above || !below) return {};
+  const double margin = marginOf(curve);
+  const auto gain = LaneGain(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin).between(y0, y1);
+  if (!gain) return {};
   double least_px = INFINITY;
   const PaletteColour own = paletteColourOf(curve.color, scene.paper());
   for (const PaletteColour& other : ends.others)
-    least_px = std::min(least_px, thicknessIn(own, other, *above - *below));
+    least_px = std::min(least_px, thicknessIn(own, other, *gain));
   return least_px;
 }
 
@@ -213,7 +232,7 @@ std::optional<LostBottomOut> bottomOutAt(const Curve& curve, const std::vector<C
   const Ends ends = endsBeside(curve, curves, scene.paper());
   const PlotArea& area = scene.area();
   const ColourOnArea& coverage = scene.coverageOf(curve.color);
-  const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
+  const double w = curve.thickness_px, height = area.frame.height(), margin = marginOf(curve);
   const double least_px = std::max(kLeastHeight * height, 3 * w);
   if (ends.uppermost - area.frame.y0 < least_px) return {};
   // The corner may have been cut short: the lane is within a line's width of the end.
@@ -320,30 +339,13 @@ void lengthen(CurveTrace& trace, const LostBottomOut& bottomOut, bool reversed, 
   trace.points_px.insert(at, rise.begin(), rise.end());
 }
 
-/// A lane's colour between two rows, less its colour below a curve's end; nullopt if lines of the plot or the
-/// area's edge leave too few rows.
-class LaneGain {
- public:
-  LaneGain(const PlotScene& scene, double x, double y0, double y1)
-      : scene_(scene), x_(x), below_(laneColour(scene, x, y0, y1)) {}
-  std::optional<Color3> between(double y0, double y1) const {
-    const auto above = below_ ? laneColour(scene_, x_, y0, y1) : std::nullopt;
-    return above ? std::optional(*above - *below_) : std::nullopt;
-  }
-
- private:
-  const PlotScene& scene_;
-  double x_;
-  std::optional<Color3> below_;
-};
-
 /// The line in a curve's colour that begins on a lane above the curve's end: there is more of the colour than
-/// on the same lane below the end, and more than one of the lanes beside it and the median of the plot's other
-/// columns gain at the same rows.
+/// on the same lane below the end, and more than one of the lanes beside it and the median of the plot's
+/// other columns gain at the same rows.
 std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std::vector<Curve>& curves,
                                         const PlotScene& scene) {
   const PlotArea& area = scene.area();
-  const double w = curve.thickness_px, margin = 1.5 * w + 2, aside = 2 * kLaneReach_px + w;
+  const double w = curve.thickness_px, margin = marginOf(curve), aside = 2 * kLaneReach_px + w;
   double uppermost = curve.end().y, lowest = curve.end().y;
   for (const Curve& other : curves) {
     if (endTogether(curve, other)) uppermost = std::min(uppermost, other.end().y);
@@ -358,13 +360,7 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
   const bool isNeutral = static_cast<double>(dot(own.direction, neutral.direction)) > kSameColourAngle;
   // Vendors draw the frame's right edge twice above a curve's end.
   if (area.frame.x1 - x <= margin && isNeutral) return {};
-  // Rivals: lines of the plot that change there too, and what is drawn over more than the lane.
   const LaneGain lane = laneAt(x);
-  std::vector<LaneGain> columns, beside;
-  for (const double column : area.columns_px)
-    if (std::abs(column - x) > aside) columns.push_back(laneAt(column));
-  for (const double at : {x - aside, x + aside})
-    if (at < area.frame.x1 - kLaneReach_px) beside.push_back(laneAt(at));
   const auto blocked = [&](double y0, double y1) {
     const Box box{x - kLaneReach_px, y0, x + kLaneReach_px, y1};
     return std::ranges::any_of(area.words, [&](const Box& word) { return word.touches(box); }) ||
@@ -390,6 +386,12 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
     if (const auto gain = gainOf(lane, y, y + window_px)) dashes.push_back(*gain);
   if (dashes.empty()) return {};
   const double ownDash = std::max(0.0, quantileOf(dashes, 1 - kThinRows));
+  // Other rivals: lines of the plot that change there too, and what is drawn over more than the lane.
+  std::vector<LaneGain> columns, beside;
+  for (const double column : area.columns_px)
+    if (std::abs(column - x) > aside) columns.push_back(laneAt(column));
+  for (const double at : {x - aside, x + aside})
+    if (at < area.frame.x1 - kLaneReach_px) beside.push_back(laneAt(at));
   const double start = uppermost - margin;
   double top = start, most_px = 0;
   for (double y = start; y - window_px > area.frame.y0 + kTopReached_px; y -= window_px + 1) {
@@ -412,11 +414,11 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
 
 std::vector<UnprovenBottomOut> unprovenBottomOuts(const std::vector<CurveTrace>& traces,
                                                   const PlotScene& scene) {
+  // The last error bar stands on the end of its curve as a bottom-out does.
+  if (std::ranges::any_of(traces, [](const CurveTrace& trace) { return trace.errorBars > 0; })) return {};
   std::vector<Curve> curves;
   for (const CurveTrace& trace : traces)
     if (trace.points_px.size() >= 2) curves.push_back(curveOnArea(trace, scene.area()));
-  // The last error bar stands on the end of its curve as a bottom-out does.
-  if (std::ranges::any_of(traces, [](const CurveTrace& trace) { return trace.errorBars > 0; })) return {};
   measureThickness(curves, scene);
   for (Curve& curve : curves) curve.points = densified(curve.points, 1);
   std::vector<UnprovenBottomOut> rises;
