@@ -41,6 +41,7 @@ struct ControllerContext {
     rememberFolder(folder);
     settings.setValue("files/importedFrom", folder);
   }
+  void rememberImportOf(const QString& path) const { rememberImportedFrom(QFileInfo(path).absolutePath()); }
   void rememberSavedIn(const QString& folder) const {
     rememberFolder(folder);
     settings.setValue("files/savedIn", folder);

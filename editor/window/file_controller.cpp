@@ -81,7 +81,7 @@ void FileController::openByDialog() {
 void FileController::importByDialog() {
   const QStringList chosen =
       at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folderToImport(), importFilters());
-  if (!chosen.isEmpty()) at_.rememberImportedFrom(QFileInfo(chosen.front()).absolutePath());
+  if (!chosen.isEmpty()) at_.rememberImportOf(chosen.front());
   sheets_.importFiles(chosen);
 }
 
@@ -91,7 +91,7 @@ void FileController::importMany() {
     actions.files = [this](QWidget* parent) {
       QStringList chosen =
           at_.prompts.filesToOpen(parent, tr("Import many files"), at_.folderToImport(), importFilters());
-      if (!chosen.isEmpty()) at_.rememberImportedFrom(QFileInfo(chosen.front()).absolutePath());
+      if (!chosen.isEmpty()) at_.rememberImportOf(chosen.front());
       return chosen;
     };
     actions.folder = [this](QWidget* parent) {
@@ -132,7 +132,7 @@ void FileController::open(const QStringList& paths) {
     const auto kind = inputKindOf(path);
     if (kind && *kind == InputKind::page) {
       pages << QFileInfo(path).absoluteFilePath();
-      at_.rememberImportedFrom(QFileInfo(path).absolutePath());
+      at_.rememberImportOf(path);
     } else {
       openButton(path);
       if (kind) at_.rememberFolderOf(path);
