@@ -25,10 +25,11 @@ constexpr double kThinRows =
     0.15;  // share of a lane's rows: the thin rows of a bottom-out are thicker than the thick rows of a line
 // share of the frame's height; without pixels over this distance below the end there is no line
 constexpr double kBareBelow = 0.1;
-constexpr double kPlumb_px = 1.5;      // px within which the points of a vertical rise lie
-constexpr double kLeastHeight = 0.05;  // share of the frame's height
-constexpr std::size_t kLeastRows = 6;  // rows needed to measure a thickness
-constexpr double kProbed_px = 14;      // rows examined; a horizontal line may cover 7 of them
+constexpr double kPlumb_px = 1.5;          // px within which the points of a vertical rise lie
+constexpr double kLeastHeight = 0.05;      // share of the frame's height
+constexpr std::size_t kLeastRows = 6;      // rows needed to measure a thickness
+constexpr double kWindow_px = kLeastRows;  // part of a lane that may be one dash or one gap
+constexpr double kProbed_px = 14;          // rows examined; a horizontal line may cover 7 of them
 // line widths beside the bottom-out within which a crest belongs to the corner
 constexpr double kHook = 4;
 constexpr double kHook_px = 4;         // and pixels over which a path bends at a corner
@@ -211,18 +212,25 @@ class LaneGain {
 };
 
 /// Thickness, in a curve's colour, of what a lane shows above an end and not below it, if all of that is the
-/// curve's or another's that ends there; nullopt without others or rows.
+/// curve's or another's that ends there: its thickest part, because a dashed curve has gaps. nullopt without
+/// others or rows.
 std::optional<double> ownThickness(const Curve& curve, const Ends& ends, double x, double y0, double y1,
                                    const PlotScene& scene) {
   if (ends.others.empty()) return {};
   const double margin = marginOf(curve);
-  const auto gain = LaneGain(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin).between(y0, y1);
-  if (!gain) return {};
-  double least_px = INFINITY;
+  const LaneGain lane(scene, x, ends.lowest + margin, scene.area().frame.y1 - margin);
   const PaletteColour own = paletteColourOf(curve.color, scene.paper());
-  for (const PaletteColour& other : ends.others)
-    least_px = std::min(least_px, thicknessIn(own, other, *gain));
-  return least_px;
+  std::vector<double> parts_px;
+  for (double y = y1; y - kWindow_px >= y0; y -= kWindow_px + 1) {
+    const auto gain = lane.between(y - kWindow_px, y);
+    if (!gain) continue;  // a level line of the plot
+    double least_px = INFINITY;
+    for (const PaletteColour& other : ends.others)
+      least_px = std::min(least_px, thicknessIn(own, other, *gain));
+    parts_px.push_back(least_px);
+  }
+  if (parts_px.empty()) return {};
+  return quantileOf(parts_px, 1 - kThinRows);
 }
 
 /// The bottom-out above a curve's end. The stroke rises there if the pixels are nearer to what its own line
@@ -256,7 +264,9 @@ std::optional<LostBottomOut> bottomOutAt(const Curve& curve, const std::vector<C
            standsOut(more_px, thickness, line, w);
   };
   if (!isBottomOut(seen)) return {};
-  const double top = lane.top(probe, 0.5 * (seen.usual + line.usual), 2 * w + 3);
+  // Rows of a dashed curve are usually bare.
+  const double rise_px = own_px ? w : seen.usual;
+  const double top = lane.top(probe, 0.5 * (rise_px + line.usual), 2 * w + 3);
   if (ends.uppermost - top < least_px) return {};
   // If only the corner is thicker, there is no bottom-out.
   if (!isBottomOut(Thickness::between(lane, top, probe).value_or(seen))) return {};
@@ -380,10 +390,9 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
       if (const auto gain = gainOf(each, y0, y1)) gains.push_back(*gain);
     return gains;
   };
-  constexpr double window_px = kLeastRows;
   std::vector<double> dashes;  // the lane's own line below the end, window by window
-  for (double y = lowest + margin; y + window_px < area.frame.y1 - margin; y += window_px + 1)
-    if (const auto gain = gainOf(lane, y, y + window_px)) dashes.push_back(*gain);
+  for (double y = lowest + margin; y + kWindow_px < area.frame.y1 - margin; y += kWindow_px + 1)
+    if (const auto gain = gainOf(lane, y, y + kWindow_px)) dashes.push_back(*gain);
   if (dashes.empty()) return {};
   const double ownDash = std::max(0.0, quantileOf(dashes, 1 - kThinRows));
   // Other rivals: lines of the plot that change there too, and what is drawn over more than the lane.
@@ -394,17 +403,17 @@ std::optional<UnprovenBottomOut> riseOn(double x, const Curve& curve, const std:
     if (at < area.frame.x1 - kLaneReach_px) beside.push_back(laneAt(at));
   const double start = uppermost - margin;
   double top = start, most_px = 0;
-  for (double y = start; y - window_px > area.frame.y0 + kTopReached_px; y -= window_px + 1) {
-    if (blocked(y - window_px, y)) break;
-    const auto gain = gainOf(lane, y - window_px, y);
+  for (double y = start; y - kWindow_px > area.frame.y0 + kTopReached_px; y -= kWindow_px + 1) {
+    if (blocked(y - kWindow_px, y)) break;
+    const auto gain = gainOf(lane, y - kWindow_px, y);
     if (!gain) continue;  // a level line of the plot
-    const std::vector<double> others = gainsOf(columns, y - window_px, y),
-                              sides = gainsOf(beside, y - window_px, y);
+    const std::vector<double> others = gainsOf(columns, y - kWindow_px, y),
+                              sides = gainsOf(beside, y - kWindow_px, y);
     const double rival = std::max({ownDash, others.empty() ? 0.0 : medianOf(others),
                                    sides.empty() ? 0.0 : *std::ranges::min_element(sides)});
     if (*gain - rival < kFaintest_px) break;
     most_px = std::max(most_px, *gain - rival);
-    top = y - window_px;
+    top = y - kWindow_px;
   }
   if (start - top < std::max(kLeastHeight * area.frame.height(), kProbed_px)) return {};
   return UnprovenBottomOut{{x, start}, {x, top}, most_px};

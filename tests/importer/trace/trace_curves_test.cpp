@@ -800,6 +800,32 @@ TEST_CASE("A bottom-out belongs to the stroke in whose colour it is drawn, also 
   CHECK(std::abs(traces[1].points_px.back().y - end.y) < 3);
 }
 
+TEST_CASE("A dashed release keeps its bottom-out above a press's, also on a gridline", "[trace]") {
+  for (const bool traced : {true, false}) {
+    INFO("its dashes on the press were " << (traced ? "" : "not ") << "traced");
+    Plot plot(1400, 1000);
+    plot.grid(8, 6, kGrey, 1);
+    const Loop loop = loopEndingAt(0.75);
+    CurveTrace press, release;
+    press.points_px = plot.at(loop.press), press.color = kBlue;
+    release.points_px = plot.at(loop.release), release.color = kRed;
+    const double top = plot.at(0, 0.8).y;
+    plot.line(press.points_px, 3, kBlue);
+    plot.line(release.points_px, 3, kRed);
+    plot.line({press.points_px.back(), plot.at(0.75, 0.8)}, 3, kBlue);
+    // Dashes shorter than their gaps: most rows show the press only.
+    const Point end = release.points_px.back();
+    for (double y = end.y; y > top + 6; y -= 14) plot.line({{end.x, y}, {end.x, y - 3}}, 3, kRed);
+    for (double y = press.points_px.back().y; y > top; y -= 1) press.points_px.push_back({end.x, y});
+    if (traced)
+      for (double y = end.y; y > top; y -= 1) release.points_px.push_back({end.x, y});
+    std::vector<CurveTrace> traces{press, release};
+    trace::addLostBottomOuts(traces, plot.scene());
+    CHECK(std::abs(traces[0].points_px.back().y - top) < 3);
+    CHECK(std::abs(traces[1].points_px.back().y - top) < 16);  // a dash and a gap
+  }
+}
+
 TEST_CASE("A press reaches the force from which its release comes back, though the release hides it",
           "[trace]") {
   Plot plot(700, 430);
