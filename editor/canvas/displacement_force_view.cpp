@@ -80,7 +80,7 @@ void DisplacementForceView::drawContent(QPainter& painter, const PlotMapping& ma
   painter.setBrush(Qt::NoBrush);
   const Turned turned(map);
   const ForceGraph& graph = canvas_.state().graph;
-  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     if (stroke == Stroke::release && !graph.release()) continue;
     QPen pen(stroke == Stroke::press ? colors().press : colors().release, 2);
     if (stroke == Stroke::release) pen.setDashPattern({7, 3});

@@ -116,7 +116,6 @@ SvgPlotStyle styleOf(GraphPreset preset, const DisplayUnits& units) {
   SvgPlotStyle style;
   style.forceUnit = units.force;
   style.lengthUnit = units.length;
-  style.roomBeyondEnd = 0.04;
   switch (preset) {
     case GraphPreset::datasheet:
       setSize(style, 150, 105);

@@ -130,9 +130,8 @@ void ComparePlot::showDifferences(bool shown) {
 void ComparePlot::drawCurves() {
   clearPlottables();
   const bool dark = isDark(palette());
-  // The press is drawn over the release, as in the editor, so that it is visible in their common bottom-out.
   for (std::size_t i = 0; i < graphs_.size(); ++i)
-    for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
       const auto& [name, graph] = graphs_[i];
       if (stroke == Stroke::release && !graph.release()) continue;
       auto* curve = new QCPCurve(xAxis, yAxis);

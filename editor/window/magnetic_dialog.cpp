@@ -216,7 +216,7 @@ void MagneticDialog::draw() {
 void MagneticDialog::drawCurves(const std::vector<KeyEvent>& events) {
   const GraphColors colors = graphColors(isDark(plot_->palette()));
   const ForceGraph& graph = button_.states().front().graph;
-  for (const Stroke stroke : {Stroke::release, Stroke::press}) {  // of what they share the press is seen
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     if (stroke == Stroke::release && !graph.release()) continue;
     const bool press = stroke == Stroke::press;
     auto* curve = new QCPCurve(plot_->xAxis, plot_->yAxis);

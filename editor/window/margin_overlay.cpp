@@ -103,7 +103,7 @@ void MarginOverlay::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setClipRect(map.clip_px);
   painter.setBrush(Qt::NoBrush);
-  for (const Stroke stroke : {Stroke::release, Stroke::press})
+  for (const Stroke stroke : {Stroke::press, Stroke::release})
     if (stroke == Stroke::press || state.graph.release())
       paintCurveBand(painter, map, state.graph.curve(stroke), margin_->states[shown], canvas_.colors());
   paintWorst(painter, map, state, shown);

@@ -220,7 +220,7 @@ class Plot {
   void drawCurves(std::string& out) {
     const ForceGraph& graph = state_.graph;
     if (style_.tolerance || style_.tolerance_N) drawTolerance(out, travelledSamples(graph, Stroke::press));
-    // The release lies above the press: its dashes on the common bottom-out are what the importer reads back.
+    // The release lies above the press: its dashes on the common bottom-out are seen, and read back.
     drawStroke(out, Stroke::press, "");
     if (graph.release()) drawStroke(out, Stroke::release, dash());
   }

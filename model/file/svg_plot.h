@@ -42,9 +42,9 @@ struct SvgPlotStyle {
   std::optional<double> tolerance;    ///< width of a band around the press as a share of its forces, 0.01..1
   std::optional<double> tolerance_N;  ///< half width of a band around the press, > 0; used without
                                       ///< `tolerance`
-  double roomBeyondEnd =
-      0;  ///< share of the axis between the last tick, or the curves if that tick lies farther out, and the
-          ///< frame
+  /// Share of the axis between the last tick, or the curves if that tick lies farther out, and the frame.
+  /// With 0 a bottom-out may lie on the frame, where neither a person nor a program can distinguish them.
+  double roomBeyondEnd = 0.04;
   std::optional<AxisEnds> xEnds, yEnds;  ///< axis ranges instead of those of the curves; curves are clipped
   std::string font = "DejaVu Sans, Arial, Helvetica, sans-serif";  ///< CSS font family
   double fontSize_px = 12;                                         ///< 6..40; margins scale with it

@@ -146,10 +146,13 @@ TEST_CASE("no leader runs under the name of another point, where points are clos
 
 TEST_CASE("curves end at the ends that are given, and have room behind the last tick") {
   SvgPlotStyle style;
+  const double usualEnd_px = frameOfPlot(tactileButton()->states()[0], style).right_px;
+  style.roomBeyondEnd = 0;
   const PlotFrame whole = frameOfPlot(tactileButton()->states()[0], style);
   style.roomBeyondEnd = 0.1;
   const PlotFrame roomy = frameOfPlot(tactileButton()->states()[0], style);
   CHECK(roomy.x.last() == whole.x.last());
+  CHECK(usualEnd_px < whole.right_px - 10);  // a bottom-out is not drawn on the edge of its box
   CHECK(roomy.right_px - roomy.left_px == Approx((whole.right_px - whole.left_px) / 1.1));
   style.xEnds = AxisEnds{1, 2};
   style.yEnds = AxisEnds{0, 0.5};
@@ -178,6 +181,7 @@ TEST_CASE("a box with room does not go on to a tick far behind the curves") {
   style.width_px = 333;
   style.fontSize_px = 10;
   style.lengthUnit = LengthUnit::inch;
+  style.roomBeyondEnd = 0;
   const auto button = tactileButton();
   const ButtonState& state = button->states()[0];
   const double end = state.graph.travel_mm() / millimetresPer(LengthUnit::inch);
