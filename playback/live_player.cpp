@@ -217,7 +217,7 @@ class Player : public LivePlayer {
     const std::lock_guard lock(controlMutex_);
     if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
       return Failure{FailureCode::wrongUsage, "samples", "",
-                     Message("too many requests for samples came at the same time"),
+                     Message("too many requests to play samples came at the same time"),
                      Message("Wait until one of the requests has begun")};
     }
     takes_.push_back(std::move(take));

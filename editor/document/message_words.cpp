@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/document/message_words.h"
 
+#include <algorithm>
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <string_view>
+#include <utility>
 
 #include "editor/document/number_text.h"
 
@@ -66,13 +69,19 @@ constexpr int digits = 6;  // as in a quantity field
     QT_TRANSLATE_NOOP("detent", "speed limit in mm/s"),
 };
 
-// Words of the command line that occur in sentences (feedbackModes, levelQuantities, listenings of playback).
-[[maybe_unused]] constexpr const char* choiceNames[] = {
-    QT_TRANSLATE_NOOP("detent", "full"),       QT_TRANSLATE_NOOP("detent", "click-only"),
-    QT_TRANSLATE_NOOP("detent", "slope-only"), QT_TRANSLATE_NOOP("detent", "peak-force"),
-    QT_TRANSLATE_NOOP("detent", "event-size"), QT_TRANSLATE_NOOP("detent", "travel"),
-    QT_TRANSLATE_NOOP("detent", "snap"),       QT_TRANSLATE_NOOP("detent", "grain-strength"),
-    QT_TRANSLATE_NOOP("detent", "quiet"),      QT_TRANSLATE_NOOP("detent", "masked"),
+// Words of the command line that occur in sentences (feedbackModes, levelQuantities, listenings of playback), and
+// what the window calls them.
+constexpr std::pair<std::string_view, const char*> choiceWords[] = {
+    {"full", QT_TRANSLATE_NOOP("detent", "everything")},
+    {"click-only", QT_TRANSLATE_NOOP("detent", "clicks only")},
+    {"slope-only", QT_TRANSLATE_NOOP("detent", "slopes only")},
+    {"peak-force", QT_TRANSLATE_NOOP("detent", "force")},
+    {"event-size", QT_TRANSLATE_NOOP("detent", "strength of the click")},
+    {"travel", QT_TRANSLATE_NOOP("detent", "travel")},
+    {"snap", QT_TRANSLATE_NOOP("detent", "snap")},
+    {"grain-strength", QT_TRANSLATE_NOOP("detent", "roughness along the travel")},
+    {"quiet", QT_TRANSLATE_NOOP("detent", "quiet")},
+    {"masked", QT_TRANSLATE_NOOP("detent", "masked by rain noise")},
 };
 
 QString inWords(const MessageValue& value, const DisplayUnits& units) {
@@ -105,7 +114,11 @@ QString withFullStop(const QString& text) {
 QString inWords(const Message& message, const DisplayUnits& units) {
   std::vector<std::string> values;
   for (const MessageValue& value : message.values()) values.push_back(inWords(value, units).toStdString());
-  const QString pattern = QCoreApplication::translate("detent", message.words());
+  const std::string_view words = message.words();
+  const auto* choice =
+      std::ranges::find(choiceWords, words, &std::pair<std::string_view, const char*>::first);
+  const QString pattern = QCoreApplication::translate(
+      "detent", choice != std::end(choiceWords) ? choice->second : message.words());
   return QString::fromStdString(filled(pattern.toStdString(), values));
 }
 

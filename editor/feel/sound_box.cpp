@@ -41,9 +41,10 @@ SoundBox::SoundBox(FeelSession& session, QWidget* parent) : QWidget(parent), ses
 }
 
 QLayout* SoundBox::levelRow() {
-  sound_ = described(new QToolButton, "soundSwitch",
-                     tr("Play what is felt on the sound device. The device is opened by the first press, "
-                        "and closed when this is switched off."));
+  sound_ = described(
+      new QToolButton, "soundSwitch",
+      tr("Play the vibration of each press through the sound device. The first press opens the device, "
+         "switching this off closes it."));
   sound_->setText(tr("Sound"));
   sound_->setCheckable(true);
   connect(sound_, &QToolButton::toggled, this, [this](bool on) {

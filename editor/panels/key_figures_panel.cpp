@@ -59,7 +59,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       all_(described(new QCheckBox(tr("A&ll figures")), "allFigures",
                      tr("Show all key figures, not only the most used ones"))),
       take_(described(new QPushButton(tr("&Apply")), "takeFigures",
-                      tr("Change the curve to the target figures"))),
+                      tr("Change the curve so that it has the target figures"))),
       giveUp_(described(new QPushButton(tr("&Cancel")), "giveUpFigures", tr("Clear all targets"))),
       solving_(described(new QLabel(tr("Solving…")), "keyFiguresSolving")),
       moves_(described(new QLabel, "keyFiguresMoves")) {

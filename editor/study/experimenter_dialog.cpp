@@ -147,7 +147,8 @@ QLayout* ExperimenterDialog::nextForm() {
   headphones_ = described(new QLineEdit, "studyHeadphones",
                           tr("Sound device of the headphones that play rain noise; turn up the volume until "
                              "the vibration is inaudible"));
-  headphones_->setPlaceholderText(tr("the sound device of the vibration, on its next channels"));
+  headphones_->setPlaceholderText(
+      tr("if empty: the sound device of the vibration, on the channels after those of the vibration"));
   sensor_ = comboBoxOfNames(
       "studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's device "
                         "profile. If empty, participants press with keys or large on-screen buttons"));

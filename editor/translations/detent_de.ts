@@ -1365,26 +1365,6 @@ Lizenz: %3</translation>
         <translation>Grenze der Geschwindigkeit in mm/s</translation>
     </message>
     <message>
-        <source>full</source>
-        <translation>alles</translation>
-    </message>
-    <message>
-        <source>click-only</source>
-        <translation>nur Klicks</translation>
-    </message>
-    <message>
-        <source>slope-only</source>
-        <translation>nur Steigungen</translation>
-    </message>
-    <message>
-        <source>peak-force</source>
-        <translation>Kraft</translation>
-    </message>
-    <message>
-        <source>event-size</source>
-        <translation>Stärke der Sprünge</translation>
-    </message>
-    <message>
         <source>travel</source>
         <translation>Weg</translation>
     </message>
@@ -1393,16 +1373,8 @@ Lizenz: %3</translation>
         <translation>Schnappverhältnis</translation>
     </message>
     <message>
-        <source>grain-strength</source>
-        <translation>Stärke der Impulse</translation>
-    </message>
-    <message>
         <source>quiet</source>
         <translation>still</translation>
-    </message>
-    <message>
-        <source>masked</source>
-        <translation>maskiert</translation>
     </message>
     <message>
         <source>%1 lies outside the travel</source>
@@ -1779,6 +1751,34 @@ Lizenz: %3</translation>
     <message>
         <source>Choose two graphs that both have a press, or both have a release</source>
         <translation>Wählen Sie zwei Graphen, die beide einen Hinweg oder beide einen Rückweg haben</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>clicks only</source>
+        <translation>nur Klicks</translation>
+    </message>
+    <message>
+        <source>slopes only</source>
+        <translation>nur Steigungen</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>strength of the click</source>
+        <translation>Stärke des Klicks</translation>
+    </message>
+    <message>
+        <source>roughness along the travel</source>
+        <translation>Rauheit entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>masked by rain noise</source>
+        <translation>durch Regengeräusch maskiert</translation>
     </message>
 </context>
 <context>
@@ -4136,10 +4136,6 @@ Lizenz: %3</translation>
         <translation>Studie</translation>
     </message>
     <message>
-        <source>the sound device of the vibration, on its next channels</source>
-        <translation>das Tongerät der Vibration, auf dessen nächsten Kanälen</translation>
-    </message>
-    <message>
         <source>reading the consent text</source>
         <translation>liest den Einwilligungstext</translation>
     </message>
@@ -4166,6 +4162,10 @@ Lizenz: %3</translation>
     <message>
         <source>finished, waiting for you</source>
         <translation>fertig, wartet auf Sie</translation>
+    </message>
+    <message>
+        <source>if empty: the sound device of the vibration, on the channels after those of the vibration</source>
+        <translation>wenn leer: das Audiogerät der Vibration, auf den Kanälen nach denen der Vibration</translation>
     </message>
 </context>
 <context>
@@ -6399,10 +6399,6 @@ Lizenz: %3</translation>
         <translation>&amp;Anwenden</translation>
     </message>
     <message>
-        <source>Change the curve to the target figures</source>
-        <translation>Die Kurve auf die Zielwerte bringen</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>A&amp;bbrechen</translation>
     </message>
@@ -6413,6 +6409,10 @@ Lizenz: %3</translation>
     <message>
         <source>Solving…</source>
         <translation>Wird gelöst …</translation>
+    </message>
+    <message>
+        <source>Change the curve so that it has the target figures</source>
+        <translation>Die Kurve so ändern, dass sie die Zielwerte hat</translation>
     </message>
 </context>
 <context>
@@ -8689,10 +8689,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ton</translation>
     </message>
     <message>
-        <source>Play what is felt on the sound device. The device is opened by the first press, and closed when this is switched off.</source>
-        <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird bei der ersten Betätigung geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
-    </message>
-    <message>
         <source>felt %1 dB</source>
         <translation>fühlbar %1 dB</translation>
     </message>
@@ -8763,6 +8759,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Strength of the strongest 10 ms within the last 1.5 s, in dB above the weakest vibration that a fingertip feels. It is computed from the strength of the transducer in the device profile. ≈ means that the strength of the transducer was assumed, not measured.</source>
         <translation>Stärke der stärksten 10 ms in den letzten 1,5 s, in dB über der schwächsten Vibration, die eine Fingerspitze fühlt. Sie wird aus der Stärke des Wandlers im Geräteprofil berechnet. ≈ bedeutet, dass die Stärke des Wandlers angenommen und nicht gemessen ist.</translation>
+    </message>
+    <message>
+        <source>Play the vibration of each press through the sound device. The first press opens the device, switching this off closes it.</source>
+        <translation>Die Vibration jeder Betätigung über das Audiogerät abspielen. Die erste Betätigung öffnet das Gerät, das Ausschalten schließt es.</translation>
     </message>
 </context>
 <context>
@@ -9756,10 +9756,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sie haben hier die Farbe %1 angegeben, die Legende nennt die Kurve dieser Farbe aber „%2“</translation>
     </message>
     <message>
-        <source>the legend calls one of two curves &quot;%1&quot;, which names no stroke; the other name could not be read</source>
-        <translation>die Legende nennt eine von zwei Kurven „%1“, was kein Hub ist; der andere Name ließ sich nicht lesen</translation>
-    </message>
-    <message>
         <source>the legend also names strokes of &quot;%1&quot;, which were not traced</source>
         <translation>die Legende nennt auch Hübe von „%1“, die nicht abgelesen wurden</translation>
     </message>
@@ -10396,10 +10392,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 der 4 Kanten des Rahmens sind gezeichnet, mit %2 senkrechten und %3 waagrechten Linien oder Skalenstrichen</translation>
     </message>
     <message>
-        <source>there are %1 tick labels below and %2 beside a rectangle of lines</source>
-        <translation>unter einem Rechteck aus Linien stehen %1 Skalenzahlen, daneben %2</translation>
-    </message>
-    <message>
         <source>press and release are drawn as one loop, whose course tells which part is which</source>
         <translation>Hin- und Rückweg sind als eine Schleife gezeichnet, deren Verlauf zeigt, welcher Teil welcher ist</translation>
     </message>
@@ -10558,6 +10550,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the file is a WebPlotDigitizer project of an unknown version; only the versions 3 and 4 can be read</source>
         <translation>die Datei ist ein WebPlotDigitizer-Projekt einer unbekannten Version; lesbar sind nur die Versionen 3 und 4</translation>
+    </message>
+    <message>
+        <source>a rectangle of lines has %1 tick labels below it and %2 beside it</source>
+        <translation>unter einem Rechteck aus Linien stehen %1 Skalenzahlen, daneben %2</translation>
+    </message>
+    <message>
+        <source>the legend calls one of two curves &quot;%1&quot;, which means neither press nor release; the name of the other curve could not be read</source>
+        <translation>die Legende nennt eine von zwei Kurven „%1“, was weder Drücken noch Loslassen bedeutet; der Name der anderen Kurve war nicht lesbar</translation>
     </message>
 </context>
 <context>
@@ -11187,10 +11187,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Choose another quantity, or a button that has less of this one</source>
-        <translation>Eine andere Größe wählen, oder einen Taster mit weniger davon</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -12022,7 +12018,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Check the connection of the sound device, or choose another one; `detent-play devices` and the Feel panel (Setup) list them</source>
-        <translation>Prüfen Sie die Verbindung des Tongeräts, oder wählen Sie ein anderes; „detent-play devices“ und der Bereich „Fühlen“ (Einrichtung) zeigen die Liste</translation>
+        <translation>Prüfen Sie die Verbindung des Audiogeräts, oder wählen Sie ein anderes; „detent-play devices“ und der Bereich „Fühlen“ (Einrichtung) zeigen die Liste</translation>
     </message>
     <message>
         <source>this computer has no sound output of this name</source>
@@ -12034,7 +12030,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Choose a sound device from the list of `detent-play devices` or of the Feel panel (Setup)</source>
-        <translation>Wählen Sie ein Tongerät aus der Liste von „detent-play devices“ oder des Bereichs „Fühlen“ (Einrichtung)</translation>
+        <translation>Wählen Sie ein Audiogerät aus der Liste von „detent-play devices“ oder des Bereichs „Fühlen“ (Einrichtung)</translation>
     </message>
     <message>
         <source>several devices match this name: %1</source>
@@ -12042,15 +12038,15 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the sound system or the sound device cannot be started</source>
-        <translation>das Tonsystem oder das Tongerät kann nicht gestartet werden</translation>
+        <translation>das Tonsystem oder das Audiogerät kann nicht gestartet werden</translation>
     </message>
     <message>
         <source>the sound device cannot play and record at the same time</source>
-        <translation>das Tongerät kann nicht zugleich wiedergeben und aufnehmen</translation>
+        <translation>das Audiogerät kann nicht zugleich wiedergeben und aufnehmen</translation>
     </message>
     <message>
         <source>the sound device stopped during the measurement</source>
-        <translation>das Tongerät blieb während der Messung stehen</translation>
+        <translation>das Audiogerät blieb während der Messung stehen</translation>
     </message>
     <message>
         <source>the Falcon was switched on and has no firmware yet</source>
@@ -12525,14 +12521,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Datei nennt eine Art des Gefühls %1, die es nicht gibt</translation>
     </message>
     <message>
-        <source>the file has increased versions of a button &quot;%1&quot; that is not in the study</source>
-        <translation>die Datei hat gesteigerte Fassungen eines Tasters „%1“, der nicht in der Studie ist</translation>
-    </message>
-    <message>
-        <source>the file has fewer than two increased versions of the button &quot;%1&quot;</source>
-        <translation>die Datei hat weniger als zwei gesteigerte Fassungen des Tasters „%1“</translation>
-    </message>
-    <message>
         <source>the file was changed after the study was made</source>
         <translation>die Datei wurde geändert, nachdem die Studie angelegt wurde</translation>
     </message>
@@ -12708,35 +12696,47 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>probably not told apart: %1</source>
         <translation>wahrscheinlich nicht unterschieden: %1</translation>
     </message>
+    <message>
+        <source>the file has versions of the button &quot;%1&quot; with more of the varied quantity, but this button is not in the study</source>
+        <translation>die Datei hat Fassungen des Tasters „%1“ mit mehr von der veränderten Größe, aber dieser Taster ist nicht in der Studie</translation>
+    </message>
+    <message>
+        <source>the file has fewer than two versions of the button &quot;%1&quot; with more of the varied quantity</source>
+        <translation>die Datei hat weniger als zwei Fassungen des Tasters „%1“ mit mehr von der veränderten Größe</translation>
+    </message>
+    <message>
+        <source>Choose another quantity, or a button that has less of the present quantity</source>
+        <translation>Wählen Sie eine andere Größe oder einen Taster, der weniger von der jetzigen hat</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
     <message>
         <source>the sound system or the sound device cannot be started</source>
-        <translation>das Tonsystem oder das Tongerät kann nicht gestartet werden</translation>
+        <translation>das Tonsystem oder das Audiogerät kann nicht gestartet werden</translation>
     </message>
     <message>
         <source>the sound device cannot be used for recording</source>
-        <translation>das Tongerät kann nicht zum Aufnehmen verwendet werden</translation>
+        <translation>das Audiogerät kann nicht zum Aufnehmen verwendet werden</translation>
     </message>
 </context>
 <context>
     <name>detent::playback::AudioOutput::Stream</name>
     <message>
         <source>Name the sound device of the headphones with the option --noise-device</source>
-        <translation>Nennen Sie das Tongerät der Kopfhörer mit der Option --noise-device</translation>
+        <translation>Nennen Sie das Audiogerät der Kopfhörer mit der Option --noise-device</translation>
     </message>
     <message>
         <source>the sound system or the sound device cannot be started</source>
-        <translation>das Tonsystem oder das Tongerät kann nicht gestartet werden</translation>
+        <translation>das Tonsystem oder das Audiogerät kann nicht gestartet werden</translation>
     </message>
     <message>
         <source>the sound device has only one output, so participants would feel the masking noise</source>
-        <translation>das Tongerät hat nur einen Ausgang, deshalb würden Versuchspersonen das Maskierrauschen fühlen</translation>
+        <translation>das Audiogerät hat nur einen Ausgang, deshalb würden Versuchspersonen das Maskierrauschen fühlen</translation>
     </message>
     <message>
         <source>the sound device cannot be opened at %1 Hz</source>
-        <translation>das Tongerät kann bei %1 Hz nicht geöffnet werden</translation>
+        <translation>das Audiogerät kann bei %1 Hz nicht geöffnet werden</translation>
     </message>
 </context>
 <context>
@@ -12805,7 +12805,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Choose another sound device; `detent-play devices` and the Feel panel (Setup) list them</source>
-        <translation>Wählen Sie ein anderes Tongerät; „detent-play devices“ und der Bereich „Fühlen“ (Einrichtung) zeigen die Liste</translation>
+        <translation>Wählen Sie ein anderes Audiogerät; „detent-play devices“ und der Bereich „Fühlen“ (Einrichtung) zeigen die Liste</translation>
     </message>
     <message>
         <source>this build of Detent has no JACK output</source>
@@ -12813,7 +12813,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>Choose a sound device without &quot;JACK:&quot;, or install a build of Detent with JACK</source>
-        <translation>Wählen Sie ein Tongerät ohne „JACK:“, oder installieren Sie ein Detent mit JACK</translation>
+        <translation>Wählen Sie ein Audiogerät ohne „JACK:“, oder installieren Sie ein Detent mit JACK</translation>
     </message>
 </context>
 <context>
@@ -12932,10 +12932,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>dieses Paar liegt nicht tiefer als das vorige</translation>
     </message>
     <message>
-        <source>the reading of this pair does not continue to rise or fall</source>
-        <translation>der Messwert dieses Paars steigt oder fällt nicht weiter</translation>
-    </message>
-    <message>
         <source>the file is empty</source>
         <translation>die Datei ist leer</translation>
     </message>
@@ -12946,6 +12942,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>this line does not hold two usable numbers</source>
         <translation>diese Zeile enthält keine zwei brauchbaren Zahlen</translation>
+    </message>
+    <message>
+        <source>readings must all rise or all fall, but this one stays the same or turns back</source>
+        <translation>die Messwerte müssen alle steigen oder alle fallen, aber dieser bleibt gleich oder kehrt um</translation>
     </message>
 </context>
 <context>
@@ -13062,15 +13062,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>nothing can be played without a sound device</source>
-        <translation>ohne Tongerät lässt sich nichts wiedergeben</translation>
+        <translation>ohne Audiogerät lässt sich nichts wiedergeben</translation>
     </message>
     <message>
         <source>the press trace contains no readings</source>
         <translation>der Druckverlauf enthält keine Messwerte</translation>
-    </message>
-    <message>
-        <source>too many requests for samples came at the same time</source>
-        <translation>zu viele Anforderungen von Abtastwerten kamen gleichzeitig</translation>
     </message>
     <message>
         <source>there are no samples</source>
@@ -13086,7 +13082,11 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>this sound device also plays the vibration, so participants would feel the masking noise</source>
-        <translation>dieses Tongerät spielt auch die Vibration, deshalb würden Versuchspersonen das Maskierrauschen fühlen</translation>
+        <translation>dieses Audiogerät spielt auch die Vibration, deshalb würden Versuchspersonen das Maskierrauschen fühlen</translation>
+    </message>
+    <message>
+        <source>too many requests to play samples came at the same time</source>
+        <translation>zu viele Aufträge zum Abspielen von Samples, kamen gleichzeitig</translation>
     </message>
 </context>
 <context>

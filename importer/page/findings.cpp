@@ -27,7 +27,7 @@ constexpr Wording<EvidenceCode> evidenceWords[] = {
     {EvidenceCode::edgesDrawn, "edges-drawn",
      words("%1 of the 4 edges of the frame are drawn, with %2 vertical and %3 horizontal lines or ticks")},
     {EvidenceCode::labelsAroundBox, "labels-around-box",
-     words("there are %1 tick labels below and %2 beside a rectangle of lines")},
+     words("a rectangle of lines has %1 tick labels below it and %2 beside it")},
     {EvidenceCode::axisGiven, "axis-given", words("%1: entered by hand")},
     {EvidenceCode::axisGivenAmongLabels, "axis-given-among-labels",
      words("%1 axis: entered by hand; %2 of %3 printed numbers agree")},
@@ -113,8 +113,9 @@ constexpr Wording<DoubtCode> doubtWords[] = {
      words("the numbers of the %1 axis may be thousands, or may have three decimals")},
     {DoubtCode::strokeInPart, "stroke-in-part", words("press and release share only %1 of their travel")},
     {DoubtCode::namesNoStroke, "names-no-stroke",
-     words("the legend calls one of two curves \"%1\", which names no stroke; the other name could not be "
-           "read")},
+     words("the legend calls one of two curves \"%1\", which means neither press nor release; the name of "
+           "the other "
+           "curve could not be read")},
     {DoubtCode::otherSwitchNamed, "other-switch-named",
      words("the legend also names strokes of \"%1\", which were not traced")},
     {DoubtCode::pageIsScan, "page-is-scan",

@@ -61,9 +61,11 @@ Result<MagneticSensor> MagneticSensor::fromPairs(std::vector<SensorPair> pairs, 
       return unusable(subject, place, Message("this pair is not deeper than the previous one"),
                       Message("Sort the pairs by displacement"));
     if (pairs[i].reading == pairs[i - 1].reading || (pairs[i].reading > pairs[i - 1].reading) != rises)
-      return unusable(subject, place, Message("the reading of this pair does not continue to rise or fall"),
-                      Message("Leave out the part of the travel where the reading of the sensor stays the "
-                              "same or turns back"));
+      return unusable(
+          subject, place,
+          Message("readings must all rise or all fall, but this one stays the same or turns back"),
+          Message("Leave out the part of the travel where the reading of the sensor stays the "
+                  "same or turns back"));
   }
   return MagneticSensor(std::move(pairs), noise, false);
 }

@@ -236,18 +236,21 @@ Result<Done> readLevels(Study& study, const Json& json) {
     std::size_t reference = 0;
     while (reference < given && study.buttons[reference].label != label) ++reference;
     if (reference == given)
-      return unreadable(
-          study.folder / "study.json",
-          Message("the file has increased versions of a button \"%1\" that is not in the study", label),
-          Message("Restore the original file"));
+      return unreadable(study.folder / "study.json",
+                        Message("the file has versions of the button \"%1\" with more of the varied "
+                                "quantity, but this button is not in the study",
+                                label),
+                        Message("Restore the original file"));
     if (Result<Done> ok = addLevel(study, reference, entry.at("increase")); !ok) return ok;
   }
   for (std::size_t reference = 0; reference < given; ++reference)
     if (increasesOf(study, reference).size() < 2)
-      return unreadable(study.folder / "study.json",
-                        Message("the file has fewer than two increased versions of the button \"%1\"",
-                                study.buttons[reference].label),
-                        Message("Restore the original file"));
+      return unreadable(
+          study.folder / "study.json",
+          Message(
+              "the file has fewer than two versions of the button \"%1\" with more of the varied quantity",
+              study.buttons[reference].label),
+          Message("Restore the original file"));
   return Done{};
 }
 

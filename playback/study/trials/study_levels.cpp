@@ -99,7 +99,7 @@ Result<Done> addUsualLevels(Study& study) {
       return Failure{FailureCode::wrongUsage, Subject::option("--quantity"), study.buttons[reference].label,
                      Message("the button has no room to increase \"%1\" by 10 %",
                              Message::of(nameOf(study.design.quantity), {})),
-                     Message("Choose another quantity, or a button that has less of this one")};
+                     Message("Choose another quantity, or a button that has less of the present quantity")};
   }
   return Done{};
 }

@@ -1451,6 +1451,9 @@ class WindowTest : public QObject {
     };
     const QStringList english = allHints();
     QVERIFY(english.size() >= 10);
+    // A sentence names a choice as the window does, not by its word on the command line.
+    const Message noRoom("no room for \"%1\"", Message::of(nameOf(playback::LevelQuantity::eventSize), {}));
+    QCOMPARE(inWords(noRoom, settings.units()), QString("no room for \"strength of the click\""));
     QVERIFY(installTranslation(*qApp, QLocale("de_DE"), DETENT_TRANSLATIONS));
     const auto ended = qScopeGuard([] { qDeleteAll(qApp->findChildren<QTranslator*>()); });
     const QStringList german = allHints();
