@@ -10360,6 +10360,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>sie zeigt Kategorien statt einer Skala</translation>
     </message>
     <message>
+        <source>it is broken: its numbers go on at another distance</source>
+        <translation>sie ist unterbrochen: ihre Zahlen gehen in anderem Abstand weiter</translation>
+    </message>
+    <message>
         <source>it measures &quot;%1&quot;</source>
         <translation>sie misst „%1“</translation>
     </message>

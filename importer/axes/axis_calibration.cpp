@@ -54,6 +54,10 @@ Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind 
     return {DoubtCode::otherQuantity, {axis, Message("it is logarithmic")}, evenAxes};
   if (quantity == categoriesScale)
     return {DoubtCode::otherQuantity, {axis, Message("it has categories instead of a scale")}, evenAxes};
+  if (quantity == brokenScale)
+    return {DoubtCode::otherQuantity,
+            {axis, Message("it is broken: its numbers go on at another distance")},
+            evenAxes};
   const bool isTravel = unit == RemedyKind::giveXUnit;
   return {DoubtCode::otherQuantity,
           {axis, Message("it measures \"%1\"", quantity)},

@@ -27,6 +27,7 @@ struct TickLabel {
 /// Contents of `otherQuantity` for axes that are not divided evenly.
 inline constexpr char logarithmicScale[] = "values on a logarithmic scale";
 inline constexpr char categoriesScale[] = "categories, not to scale";
+inline constexpr char brokenScale[] = "values on a scale with a break";
 
 /// One axis as printed.
 struct AxisReading {

@@ -21,6 +21,41 @@ double offLine(const std::vector<std::pair<double, double>>& points) {
   return span > 0 ? most / span : 0;
 }
 
+/// Returns true if each label has a place and a value of its own, and the values only rise or only fall.
+bool isInOrder(const std::vector<std::pair<double, double>>& labels) {
+  const bool rises = labels.back().second > labels.front().second;
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    if (labels[i].first == labels[i - 1].first || labels[i].second == labels[i - 1].second ||
+        (labels[i].second > labels[i - 1].second) != rises)
+      return false;
+  return true;
+}
+
+/// Returns true if the labels are two even scales of one step, one behind the other. `fits`: deviation from one
+/// line, as a share of the span, that may be due to places.
+bool isBroken(const std::vector<std::pair<double, double>>& labels, double fits) {
+  constexpr std::size_t fewest = 5;  // labels: two runs through any four
+  constexpr double nearStep = 0.01;  // share of the step
+  constexpr double straighter =
+      0.25;  // deviation of each run, of the whole; halves of an arc have half of it
+  if (labels.size() < fewest) return false;
+  const double whole = offLine(labels);
+  if (whole <= fits) return false;
+  double step = HUGE_VAL;
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    step = std::min(step, std::abs(labels[i].second - labels[i - 1].second));
+  for (std::size_t i = 1; i < labels.size(); ++i) {
+    const double steps = (labels[i].second - labels[i - 1].second) / step;
+    if (std::abs(steps - std::round(steps)) > nearStep) return false;
+  }
+  for (std::size_t split = 2; split + 2 <= labels.size(); ++split) {
+    const auto at = labels.begin() + static_cast<std::ptrdiff_t>(split);
+    if (std::max(offLine({labels.begin(), at}), offLine({at, labels.end()})) <= straighter * whole)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
@@ -28,12 +63,17 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   constexpr double isLinear = 0.06, fits = 0.03,
                    leastRatio = 5;  // shares of the span; ratio of the largest to the smallest value
   std::ranges::sort(labels);
+  // The zero in the corner belongs to the other axis as well.
+  if (labels.size() > fewest && labels.back().second == labels[labels.size() - 2].second) labels.pop_back();
+  if (labels.size() > fewest && labels.front().second == labels[1].second) labels.erase(labels.begin());
   if (labels.size() < fewest || labels.front().first == labels.back().first) return {};
-  const bool rises = labels.back().second > labels.front().second;
-  for (std::size_t i = 1; i < labels.size(); ++i)
-    if (labels[i].first == labels[i - 1].first || labels[i].second == labels[i - 1].second ||
-        (labels[i].second > labels[i - 1].second) != rises)
-      return {};  // a value was misread
+  if (!isInOrder(labels)) {  // a value was misread, perhaps with the signs of a break
+    const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
+    std::erase_if(labels,
+                  [low, high](const auto& label) { return label.second < low || label.second > high; });
+    return isInOrder(labels) && isBroken(labels, fits) ? brokenScale : "";
+  }
+  if (isBroken(labels, fits)) return brokenScale;
   if (offLine(labels) <= isLinear) return {};
   const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
   if (low > 0 && high >= leastRatio * low) {

@@ -10,8 +10,8 @@
 
 namespace detent::importer {
 
-/// The kind of scale of labels at these positions (pixels along the axis, value): logarithmicScale or
-/// categoriesScale. Empty if a linear scale fits, or if there are too few labels.
+/// The kind of scale of labels at these positions (pixels along the axis, value): logarithmicScale,
+/// categoriesScale or brokenScale. Empty if a linear scale fits, or if there are too few labels.
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels);
 
 /// Returns true if gridlines or ticks stand as the logarithms of 1, 2, 3 to 10 do.

@@ -360,6 +360,15 @@ TEST_CASE("a scale that is not linear is named") {
         "values on a logarithmic scale");
   CHECK(unevenScaleOf({{100, 0}, {200, 0.1}, {300, 0.5}, {400, 2}, {500, 2.2}}) ==
         "categories, not to scale");
+  // A break: twice the distance behind it, the same distance on from another number, the corner's zero twice.
+  CHECK(unevenScaleOf(
+            {{535, 0}, {520, 0}, {416, 20}, {313, 40}, {212, 60}, {187, 80}, {140, 100}, {95, 120}}) ==
+        "values on a scale with a break");
+  CHECK(unevenScaleOf({{0, 0}, {100, 1}, {200, 2}, {250, 7}, {350, 8}}) == "values on a scale with a break");
+  // The signs of the break were read as a digit.
+  CHECK(unevenScaleOf({{520, 0}, {416, 20}, {313, 40}, {206, 607}, {182, 807}, {118, 100}, {50, 120}}) ==
+        "values on a scale with a break");
+  CHECK(unevenScaleOf({{0, 0}, {100, 10}, {200, 20}, {300, 30}, {400, 46}}).empty());  // misread
   CHECK(unevenScaleOf({{100, 0}, {200, 20}, {301, 40}, {400, 60}}).empty());
   CHECK(unevenScaleOf({{100, 0}, {200, 20}, {300, 4}, {400, 60}}).empty());  // misread
   CHECK(unevenScaleOf({{100, 1}, {200, 10}, {300, 100}}).empty());           // too few
