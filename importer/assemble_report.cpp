@@ -29,7 +29,8 @@ Provenance provenanceOf(const GraphFindings& findings, const GraphSource& source
                         const ImportRequest& request) {
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;
   const AxisHints& axes = request.hints.axes;
-  const Box frame = findings.graph.candidate.value.pageBox;
+  // The axes' ends lie on the frame, which may be wider or narrower than the candidate it was found in.
+  const Box frame = findings.graph.view.viewToPage.boxOf(findings.graph.frame.value.box());
   Provenance p;
   p.sourceFile = source.fileName;
   p.sourceSha256 = source.sha256;

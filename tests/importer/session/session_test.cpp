@@ -177,6 +177,26 @@ TEST_CASE("A failed import gives what was found so far; a good one what its repo
   CHECK(good.evidence == good.report->evidence);
 }
 
+TEST_CASE("A button keeps the frame on which its axes end, in units of the page") {
+  for (const char* name : {"brown-one-ink.png", "white-chinese-gf.png", "white-vector.pdf"}) {
+    INFO(name);
+    auto session = opened(name);
+    const ImportReport report = imported(session, firstGraph());
+    REQUIRE(report.evidence);
+    const GraphEvidence& seen = *report.evidence;
+    const Box onPage = seen.view.viewToPage.boxOf(seen.frame.box());
+    const std::vector<double> kept = report.button.provenance()->frame;
+    REQUIRE(kept.size() == 4);
+    CHECK(kept[0] == Approx(onPage.x0).margin(0.01));
+    CHECK(kept[1] == Approx(onPage.y0).margin(0.01));
+    CHECK(kept[2] == Approx(onPage.x1).margin(0.01));
+    CHECK(kept[3] == Approx(onPage.y1).margin(0.01));
+    // Its right edge is where the axis ends.
+    const Point topRight = seen.axes.calibration.value.toUnits({seen.frame.box().x1, seen.frame.box().y0});
+    CHECK(topRight.x == Approx(seen.axes.calibration.value.x.max).epsilon(0.002));
+  }
+}
+
 TEST_CASE("A document from memory is imported as one from a file") {
   std::ifstream in(plots + "brown-one-ink.png", std::ios::binary);
   std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(in), {}};
