@@ -139,17 +139,25 @@ struct RowReader {
   }
 };
 
+/// Returns true if an "in" is a unit, not the word: behind a digit or in brackets.
+bool isInch(std::string_view before) {
+  while (!before.empty() && isAsciiSpace(before.back())) before.remove_suffix(1);
+  return !before.empty() && (isDigit(before.back()) || before.back() == '(' || before.back() == '[');
+}
+
 /// Factor to mm or N of the first unit in the row that fits the quantity.
 std::optional<double> factorIn(std::string_view row, SpecQuantity quantity) {
   constexpr std::array<std::string_view, 10> unitWords{"mm", "cN", "mN",  "gf", "g",
                                                        "N",  "oz", "ozf", "in", "inch"};
   for (RowReader reader{row}; !reader.done();) {
+    const std::string_view before = row.substr(0, reader.at);
     const std::string symbol(reader.letters());
     if (symbol.empty()) {
       ++reader.at;
       continue;
     }
     if (std::ranges::find(unitWords, symbol) == unitWords.end()) continue;
+    if (symbol == "in" && !isInch(before)) continue;
     if (measuredInNewton(quantity)) {
       if (const auto unit = forceUnitFrom(symbol)) return newtonsPer(*unit);
     } else if (const auto unit = lengthUnitFrom(symbol)) {

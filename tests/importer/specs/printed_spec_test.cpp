@@ -110,6 +110,14 @@ TEST_CASE("Rows that say nothing about the graph give nothing") {
   CHECK(readPrintedSpecs(Page{}).empty());
 }
 
+TEST_CASE("The word \"in\" is no inch") {
+  // A section number, a quantity, a direction.
+  CHECK(readPrintedSpecs(pageWith({{"3.1 Total travel in operating direction"}})).empty());
+  CHECK(readPrintedSpecs(pageWith({{"3.1 总行程 in operating direction"}})).empty());
+  CHECK(only({{"Total travel: 0.16 in"}}).nominal == Approx(0.16 * 25.4));
+  CHECK(only({{"Total travel (in): 0.16"}}).nominal == Approx(0.16 * 25.4));
+}
+
 TEST_CASE("Printed values are held against what the graph shows") {
   const auto specs = readPrintedSpecs(pageWith(
       {{"Pressure point force 55 ± 5 cN"}, {"Total travel 3.5 ± 0.2 mm"}, {"Pretravel 2 ± 0.6 mm"}}));
