@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <qcustomplot.h>
@@ -71,6 +72,8 @@ QLayout* MagneticDialog::choices() {
                          tr("Displacement at which the key closes (switches on)"), first.actuate_mm);
   reset_ = lengthField(*form, "magneticReset", tr("&Release point:"),
                        tr("Displacement at which the key opens on its way up"), first.reset_mm);
+  connect(actuate_, &QuantityField::valueChanged, this, &MagneticDialog::moveReset);
+  connect(reset_, &QuantityField::valueChanged, this, [this] { resetTyped_ = true; });
   rapid_ = checkBox(*form, "magneticRapid", tr("Rapid &trigger"),
                     tr("The key opens and closes as the movement changes direction"));
   press_ = lengthField(*form, "magneticPress", tr("&Press distance:"),
@@ -111,6 +114,14 @@ QLayout* MagneticDialog::choices() {
     column->addWidget(widget);
   column->addStretch(1);
   return column;
+}
+
+// As far above the actuation point as the button's own reset point, or the usual distance, until it is typed.
+void MagneticDialog::moveReset() {
+  if (resetTyped_ || !actuate_->acceptable()) return;
+  const QSignalBlocker silent(reset_);
+  reset_->setValue(playback::settingsFor(button_.states().front(), actuate_->value()).reset_mm);
+  showChoice();
 }
 
 void MagneticDialog::setUpPlot() {

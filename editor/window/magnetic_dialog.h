@@ -38,6 +38,7 @@ class MagneticDialog : public QDialog {
 
  private:
   QLayout* choices();
+  void moveReset();
   void setUpPlot();
   QuantityField* lengthField(QFormLayout& form, const char* name, const QString& label, const QString& tip,
                              double value_mm);
@@ -54,6 +55,7 @@ class MagneticDialog : public QDialog {
   playback::MagneticSensor sensor_;
   std::vector<QuantityField*> fields_;
   QuantityField *actuate_, *reset_, *press_, *release_, *top_, *bottom_, *down_, *up_;
+  bool resetTyped_ = false;  ///< until then the release point follows the actuation point
   QCheckBox *rapid_, *continuous_;
   QLabel *readings_, *events_, *refusal_;
   QCustomPlot* plot_;

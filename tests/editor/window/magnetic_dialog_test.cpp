@@ -55,6 +55,19 @@ class MagneticDialogTest : public QObject {
       QVERIFY2(header(dialog).contains(line), line);
   }
 
+  void theReleasePointFollowsUntilItIsTyped() {
+    MagneticDialog dialog(magneticSample("C"), {});
+    dialog.show();
+    const double distance_mm = dialog.settings().actuate_mm - dialog.settings().reset_mm;
+    QVERIFY(distance_mm > 0);
+    type(dialog, "magneticActuate", "1.2");
+    QVERIFY(std::abs(dialog.settings().reset_mm - (1.2 - distance_mm)) < 1e-9);
+    QVERIFY(accept(dialog)->isEnabled());
+    type(dialog, "magneticReset", "0.9");
+    type(dialog, "magneticActuate", "1.4");
+    QCOMPARE(dialog.settings().reset_mm, 0.9);
+  }
+
   void whatContradictsIsRefusedWithItsReason() {
     MagneticDialog dialog(magneticSample("C"), {});
     dialog.show();
