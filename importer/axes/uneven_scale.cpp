@@ -73,17 +73,16 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
                   [low, high](const auto& label) { return label.second < low || label.second > high; });
     return isInOrder(labels) && isBroken(labels, fits) ? brokenScale : "";
   }
-  if (isBroken(labels, fits)) return brokenScale;
-  if (offLine(labels) <= isLinear) return {};
   const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
-  if (low > 0 && high >= leastRatio * low) {
+  if (low > 0 && high >= leastRatio * low && offLine(labels) > isLinear) {
     std::vector<std::pair<double, double>> logarithms = labels;
     for (auto& [at, value] : logarithms) value = std::log10(value);
     if (offLine(logarithms) <= fits) return logarithmicScale;
   }
   std::vector<std::pair<double, double>> steps;
   for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
-  return offLine(steps) <= fits ? categoriesScale : "";
+  if (offLine(labels) > isLinear && offLine(steps) <= fits) return categoriesScale;
+  return isBroken(labels, fits) ? brokenScale : "";
 }
 
 bool isLogarithmic(const std::vector<GridLine>& lines) {
