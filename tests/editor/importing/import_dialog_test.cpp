@@ -97,12 +97,15 @@ QImage pictureWithoutNumbers() {
   return picture;
 }
 
-/// The lines of a drawing of sample C, without those that `gone` names and with `changed` in the others.
+/// The lines of a drawing of sample C whose frame ends at the last tick, without those that `gone` names and
+/// with `changed` in the others.
 QString drawingOfC(const QTemporaryDir& folder, const std::function<bool(const QString&)>& gone,
                    const std::function<void(QString&)>& changed = {}) {
   const auto button = readButtonFile(DETENT_SOURCE_DIR "/samples/buttons/C.button.json");
+  SvgPlotStyle style;
+  style.roomBeyondEnd = 0;
   QStringList kept;
-  for (QString line : QString::fromStdString(svgFrom(*button)).split('\n')) {
+  for (QString line : QString::fromStdString(svgFrom(*button, style)).split('\n')) {
     if (gone(line)) continue;
     if (changed) changed(line);
     kept << line;

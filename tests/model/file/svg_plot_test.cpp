@@ -207,7 +207,9 @@ TEST_CASE("knots are on their pixels") {
   LinearTemplate values;
   values.endForce_N = 0.8;
   // 640 x 460: the frame runs from 74 to 616 and from 44 to 400; ticks 0..4 mm and 0..0.8 N.
-  const std::string svg = svgFrom(*linearButton(values));
+  SvgPlotStyle style;
+  style.roomBeyondEnd = 0;
+  const std::string svg = svgFrom(*linearButton(values), style);
   CHECK_THAT(svg, Catch::Contains("d=\"M74.00 266.50 C254.67 192.33 435.33 118.17 616.00 44.00\""));
 }
 
