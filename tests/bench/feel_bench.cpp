@@ -178,8 +178,7 @@ std::string format(const char* pattern, Values... values) {
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
-  std::string out = DETENT_SOURCE_DIR "/docs/measurements/bench-feel.md";
-  std::string note;
+  std::string out, note;
   for (int i = 1; i + 1 < argc; ++i) {
     if (std::strcmp(argv[i], "--out") == 0) out = argv[i + 1];
     if (std::strcmp(argv[i], "--note") == 0) note = std::string(argv[i + 1]) + "\n\n";
@@ -207,10 +206,10 @@ int main(int argc, char** argv) {
        << "## Edit to waveform and spectrogram\n\n"
           "A drag previews "
        << editsPerRun
-       << " buttons at a steady pace. From each edit to the end of the first repaint that shows it or a later"
-          "\none; an edit that a later one overtakes is not computed. The bar is "
+       << " buttons at a steady pace. From each edit to the end of the first repaint that shows it or\n"
+          "a later one; an edit that a later one overtakes is not computed. The bar is "
        << format("%.0f", bar_ms)
-       << " ms. *Computing* is the worker's part: prepare, render, spectrogram.\n\n"
+       << " ms. *Computing* is the worker's\npart: prepare, render, spectrogram.\n\n"
           "| button | edits/s | p50 | p99 | max | pictures | computing, median "
           "|\n|---|---|---|---|---|---|---|\n";
   bool held = true;
@@ -230,7 +229,7 @@ int main(int argc, char** argv) {
        << format("| %.0f | %.1f | %.1f | %.1f |\n", f.perSecond, quantile(f.gaps_ms, 0.5),
                  quantile(f.gaps_ms, 0.99), quantile(f.gaps_ms, 1));
   std::cout << text.str();
-  std::ofstream(out) << text.str();
+  if (!out.empty()) std::ofstream(out) << text.str();
   if (!held) std::cerr << "The bar of " << bar_ms << " ms was not held.\n";
   return held ? 0 : 1;
 }
