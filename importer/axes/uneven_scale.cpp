@@ -68,9 +68,10 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   if (labels.size() > fewest && labels.front().second == labels[1].second) labels.erase(labels.begin());
   if (labels.size() < fewest || labels.front().first == labels.back().first) return {};
   if (!isInOrder(labels)) {  // a value was misread, perhaps with the signs of a break
-    const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
-    std::erase_if(labels,
-                  [low, high](const auto& label) { return label.second < low || label.second > high; });
+    const std::pair<double, double> ends = std::minmax(labels.front().second, labels.back().second);
+    std::erase_if(labels, [ends](const auto& label) {
+      return label.second < ends.first || label.second > ends.second;
+    });
     return isInOrder(labels) && isBroken(labels, fits) ? brokenScale : "";
   }
   const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
