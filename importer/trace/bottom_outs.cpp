@@ -25,16 +25,17 @@ constexpr double kThinRows =
     0.15;  // share of a lane's rows: the thin rows of a bottom-out are thicker than the thick rows of a line
 // share of the frame's height; without pixels over this distance below the end there is no line
 constexpr double kBareBelow = 0.1;
-constexpr double kPlumb_px = 1.5;          // px within which the points of a vertical rise lie
-constexpr double kLeastHeight = 0.05;      // share of the frame's height
-constexpr std::size_t kLeastRows = 6;      // rows needed to measure a thickness
-constexpr double kWindow_px = kLeastRows;  // part of a lane that may be one dash or one gap
-constexpr double kProbed_px = 14;          // rows examined; a horizontal line may cover 7 of them
+constexpr double kPlumb_px = 1.5;      // px within which the points of a vertical rise lie
+constexpr double kLeastHeight = 0.05;  // share of the frame's height
+constexpr std::size_t kLeastRows = 6;  // rows needed to measure a thickness
+constexpr double kProbed_px = 14;      // rows examined; a horizontal line may cover 7 of them
 // line widths beside the bottom-out within which a crest belongs to the corner
 constexpr double kHook = 4;
 constexpr double kHook_px = 4;         // and pixels over which a path bends at a corner
 constexpr double kFaintest_px = 0.15;  // of a line in a curve's colour that stands out from noise
 constexpr double kTopReached_px = 3;   // a bottom-out that ends this close to the frame's edge reaches it
+
+constexpr double kWindow_px = kLeastRows;  // part of a lane that may be one dash or one gap
 
 /// A curve in area pixels, from left to right, with the properties of its end.
 struct Curve {
