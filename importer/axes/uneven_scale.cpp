@@ -75,14 +75,15 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
     return isInOrder(labels) && isBroken(labels, fits) ? brokenScale : "";
   }
   const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
-  if (low > 0 && high >= leastRatio * low && offLine(labels) > isLinear) {
+  const bool uneven = offLine(labels) > isLinear;
+  if (uneven && low > 0 && high >= leastRatio * low) {
     std::vector<std::pair<double, double>> logarithms = labels;
     for (auto& [at, value] : logarithms) value = std::log10(value);
     if (offLine(logarithms) <= fits) return logarithmicScale;
   }
   std::vector<std::pair<double, double>> steps;
   for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
-  if (offLine(labels) > isLinear && offLine(steps) <= fits) return categoriesScale;
+  if (uneven && offLine(steps) <= fits) return categoriesScale;
   return isBroken(labels, fits) ? brokenScale : "";
 }
 
