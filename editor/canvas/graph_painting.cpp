@@ -102,7 +102,8 @@ QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
   return pen;
 }
 
-/// The strokes of a graph, the dashed release on top, so that both are seen in their common bottom-out; `penOf` gives their pens, Qt::NoPen for one that is not drawn.
+/// The strokes of a graph, the dashed release on top, so that both are seen in their common bottom-out;
+/// `penOf` gives their pens, Qt::NoPen for one that is not drawn.
 template <class PenOf>
 void drawStrokes(QPainter& painter, const PlotMapping& map, const ForceGraph& graph, const PenOf& penOf) {
   painter.setBrush(Qt::NoBrush);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/document/message_words.h"
 
-#include <algorithm>
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
@@ -69,8 +68,8 @@ constexpr int digits = 6;  // as in a quantity field
     QT_TRANSLATE_NOOP("detent", "speed limit in mm/s"),
 };
 
-// Words of the command line that occur in sentences (feedbackModes, levelQuantities, listenings of playback), and
-// what the window calls them.
+// Words of the command line that occur in sentences (feedbackModes, levelQuantities, listenings of playback),
+// and what the window calls them.
 constexpr std::pair<std::string_view, const char*> choiceWords[] = {
     {"full", QT_TRANSLATE_NOOP("detent", "everything")},
     {"click-only", QT_TRANSLATE_NOOP("detent", "clicks only")},
@@ -114,11 +113,10 @@ QString withFullStop(const QString& text) {
 QString inWords(const Message& message, const DisplayUnits& units) {
   std::vector<std::string> values;
   for (const MessageValue& value : message.values()) values.push_back(inWords(value, units).toStdString());
-  const std::string_view words = message.words();
-  const auto* choice =
-      std::ranges::find(choiceWords, words, &std::pair<std::string_view, const char*>::first);
-  const QString pattern = QCoreApplication::translate(
-      "detent", choice != std::end(choiceWords) ? choice->second : message.words());
+  const char* words = message.words();
+  for (const auto& [choice, shown] : choiceWords)
+    if (choice == words) words = shown;
+  const QString pattern = QCoreApplication::translate("detent", words);
   return QString::fromStdString(filled(pattern.toStdString(), values));
 }
 

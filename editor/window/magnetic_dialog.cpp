@@ -116,7 +116,8 @@ QLayout* MagneticDialog::choices() {
   return column;
 }
 
-// As far above the actuation point as the button's own reset point, or the usual distance, until it is typed.
+// Until it is typed, the release point keeps the button's own distance to the actuation point, or the usual
+// one.
 void MagneticDialog::moveReset() {
   if (resetTyped_ || !actuate_->acceptable()) return;
   const QSignalBlocker silent(reset_);
