@@ -332,6 +332,14 @@ class ColumnFinder {
            std::ranges::all_of(core_, [&](std::size_t c) { return table_.cell(row, c).empty(); });
   }
 
+  /// Returns true for a row that lacks a number, but has the texts of a row of data above it ("press" in the
+  /// column of the stroke): a reading that failed, not the heading of what follows.
+  bool isFailedReading(std::size_t row, std::size_t above) const {
+    const auto textAt = [&](std::size_t c) { return table_.cell(row, c); };
+    return std::ranges::any_of(text_, [&](std::size_t c) { return !textAt(c).empty(); }) &&
+           std::ranges::all_of(text_, [&](std::size_t c) { return textAt(c) == table_.cell(above, c); });
+  }
+
   /// Returns true for a single text at the left, above the titles of the columns. "Release" or "Release;;;"
   /// names the table, not its first column.
   bool isTableTitle(std::size_t row, std::size_t below) const {
@@ -460,8 +468,10 @@ class ColumnFinder {
     std::size_t firstRow = mainFrom_;
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       if (!isData(row)) {
-        if (!facts_[row].isBlank()) between += (between.empty() ? "" : "\n") + joinedCells(table_, row);
-        interrupted = interrupted || facts_[row].isBlank() || facts_[row].numbers < 2;
+        const bool reading = begun && isFailedReading(row, data_.rowOf.back());
+        if (!facts_[row].isBlank() && !reading)
+          between += (between.empty() ? "" : "\n") + joinedCells(table_, row);
+        interrupted = interrupted || (!reading && (facts_[row].isBlank() || facts_[row].numbers < 2));
         if (facts_[row].isVoid() || (begun && !facts_[row].isBlank())) leaveOut(row);
         continue;
       }

@@ -375,6 +375,32 @@ TEST_CASE("rows that are no numbers are left out, counted and named") {
   checkStrokes(log);
 }
 
+TEST_CASE("a failed reading beside the name of its stroke ends no stroke") {
+  const bool nameFirst = GENERATE(true, false), onTheWayBack = GENERATE(false, true);
+  const std::string failed = GENERATE(std::string("1.5,"), ",0.6", "1.5,-", "1.5,nan", "1.5,0.5*", ",");
+  CAPTURE(nameFirst, onTheWayBack, failed);
+  std::string text = nameFirst ? "stroke,mm,N\n" : "mm,N,stroke\n";
+  const auto add = [&](const char* stroke, const std::string& reading) {
+    text += nameFirst ? std::string(stroke) + "," + reading + "\n" : reading + "," + stroke + "\n";
+  };
+  const auto force = [](double mm, double less) {
+    return std::to_string(mm) + "," + std::to_string(mm / 2 - less);
+  };
+  for (int i = 0; i <= 40; ++i) {
+    if (i == 15 && !onTheWayBack) add("down", failed);
+    add("down", force(0.1 * i, 0));
+  }
+  for (int i = 40; i >= 0; --i) {
+    if (i == 15 && onTheWayBack) add("up", failed);
+    add("up", force(0.1 * i, 0.2 * std::min(1.0, 0.1 * (40 - i))));
+  }
+  const ForceLog log = readOk(text);
+  CHECK(log.rowsSkipped == 1);
+  CHECK(log.strokes.press.points.size() == 41);
+  REQUIRE(log.strokes.release);
+  CHECK(log.strokes.release->points.size() == 41);
+}
+
 TEST_CASE("strokes can be swapped, a release alone becomes the press") {
   TemporaryFile file(run({}));
   const auto swapped = readForceLog(file.path(), {{}, {}, true});
