@@ -28,7 +28,7 @@ std::optional<Failure> pointProblem(const Message& place, const Message& name, s
 
 std::optional<Failure> dampingProblem(const Message& place, const std::vector<DampingPoint>& damping) {
   for (std::size_t i = 0; i < damping.size(); ++i) {
-    const Message at("%1, damping point %2", place, i + 1);
+    const auto at = Message("%1, damping point %2", place, i + 1);
     const DampingPoint& p = damping[i];
     if (!std::isfinite(p.displacement_mm) || std::abs(p.displacement_mm) > ForceGraph::maxTravel_mm)
       return buttonFailure(at,
@@ -89,7 +89,7 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
   const Message own = speedText(*state.speed_mm_per_s);
   const double apart_mm = Button::familyTravelShare * state.graph.travel_mm();
   for (const SpeedGraph& other : state.otherSpeeds) {
-    const Message at("%1, %2", place, speedText(other.speed_mm_per_s));
+    const auto at = Message("%1, %2", place, speedText(other.speed_mm_per_s));
     if (other.graph.release().has_value() != state.graph.release().has_value())
       return buttonFailure(at,
                            other.graph.release()
@@ -101,12 +101,12 @@ std::optional<Failure> familyProblem(const Message& place, const ButtonState& st
       for (const auto& [from_mm, to_mm] :
            {std::pair{theirCurve.start_mm(), mine.start_mm()}, std::pair{theirCurve.end_mm(), mine.end_mm()}})
         if (std::abs(from_mm - to_mm) > apart_mm)
-          return buttonFailure(at,
-                               Message("one end of the %1 lies at %2, but in the graph of %3 it lies at %4; "
-                                       "the two may differ by %5 at most",
-                                       stroke == Stroke::press ? Message("press") : Message("release"),
-                                       millimetres(from_mm), own, millimetres(to_mm), millimetres(apart_mm)),
-                               Message("Give graphs of one button, with the same travel"));
+          return buttonFailure(
+              at,
+              Message("the %1 has an end at %2, but at %4 in the graph of %3; they may differ by %5 at most",
+                      stroke == Stroke::press ? Message("press") : Message("release"), millimetres(from_mm),
+                      own, millimetres(to_mm), millimetres(apart_mm)),
+              Message("Give graphs of one button, with the same travel"));
     }
     if (auto problem =
             pointProblem(at, Message("operating point"), state.operatingPoint_mm, other.graph.press()))

@@ -289,7 +289,7 @@ Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoi
                              const SectionSettings& settings) {
   std::vector<CurvePoint> turns = curve.localMaxima();
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
-  const Message place("turn at %1", millimetres(turn.displacement_mm));
+  const auto place = Message("turn at %1", millimetres(turn.displacement_mm));
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
     return shapeRefusal(place, Message("the point is neither a peak nor a valley of the curve"),
                         Message("Choose a peak or a valley"));
@@ -301,7 +301,7 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
                                  const SectionSettings& settings) {
   const std::vector<TactilePoint> points = tactilePoints(press, Stroke::press, settings);
   if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
-  const Message place("tactile point %1", tactileIndex + 1);
+  const auto place = Message("tactile point %1", tactileIndex + 1);
   if (!std::isfinite(ratio) || ratio <= 0)
     return shapeRefusal(place, Message("a tactile point cannot have a snap ratio of %1", ratio),
                         Message("Give a ratio above 0"));
@@ -357,7 +357,7 @@ Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jum
   if (sign * (end_N - valley.force_N) <= 0)
     return shapeRefusal(
         Message("new jump"),
-        Message("the jump cannot return to the curve, because the force is %1 there and %2 in the valley",
+        Message("the jump cannot rejoin the curve: its end would lie at %1, but its valley or peak at %2",
                 newtons(end_N), newtons(valley.force_N)),
         Message("Make the drop larger or the jump narrower"));
   std::vector<Knot> knots =

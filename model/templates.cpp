@@ -59,7 +59,7 @@ Result<StrokeCurve> strokeFrom(const StrokeSketch& sketch) {
       return Failure{
           FailureCode::wrongUsage, "stroke sketch", Message("piece %1", piece + 1),
           Message("there is no such piece, because the curve has only %1 pieces", knots.size() - 1),
-          Message("Name one of these pieces")};
+          Message("Choose one of its pieces")};
     Knot &a = knots[piece], &b = knots[piece + 1];
     if (a.displacement_mm == b.displacement_mm) continue;
     a.slopeAfter_N_per_mm = b.slopeBefore_N_per_mm =

@@ -50,13 +50,14 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
         Message("the device answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to "
                 "%3 N/mm are stable; this button needs %4 N/mm",
                 answer_ms, late_ms, allowed, needed),
-        busy ? Message("This computer is too slow: it takes %1 ms to send a line to itself. Close other "
-                       "programs and allow real-time scheduling (docs/guide/force-feedback.md)",
+        busy ? Message("This computer is too slow: a message to itself takes %1 ms. Close other programs and "
+                       "allow real-time scheduling (docs/guide/force-feedback.md)",
                        rounded(1e3 * pace.computer_s, 3))
              : Message("The device is too slow. Make the connection faster: native USB, a higher --baud, an "
                        "FTDI latency timer of 1 ms. Or use --upload, so that the device computes the force")};
   }
-  const Message bears("bears %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
+  const auto bears =
+      Message("can hold %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
   if (least.bound == StabilityBound::quantisation) {
     const double spared_N_per_mm = spareOfRemedy * needed_N_per_mm;
     const double friction_N = rounded(spared_N_per_mm * device.step_mm / heldByFriction, 2),

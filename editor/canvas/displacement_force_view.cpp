@@ -50,7 +50,8 @@ DisplacementForceView::DisplacementForceView(ButtonDocument& document, ViewSetti
     : UnitPlot(settings, PlotQuantity::force, PlotQuantity::displacement, parent), canvas_(canvas) {
   setObjectName(QStringLiteral("displacementForceView"));
   setAccessibleName(tr("Displacement over force"));
-  setToolTip(tr("What a finger feels when it controls the force. Jumps appear as vertical lines."));
+  setToolTip(tr(
+      "The travel at each force, as a finger that sets the force feels it. Jumps appear as vertical lines."));
   const auto follow = [this, &document] {
     // A view that rescales during a drag is hard to read and slow.
     if (fitted() && isVisible() && !document.history().dragging()) fit();

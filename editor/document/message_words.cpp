@@ -138,11 +138,11 @@ bool namesAnOption(const QString& text) {
 
 QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
   QStringList where;
-  if (!failure.subject.empty()) where << inWords(failure.subject.name, units);
+  const QString subject = inWords(failure.subject.name, units);
+  if (!subject.isEmpty() && !namesAnOption(subject)) where << subject;
   if (!failure.place.empty()) where << inWords(failure.place, units);
-  QString text = where.join(QStringLiteral(", "));
-  if (!text.isEmpty()) text += QStringLiteral(": ");
-  text += withFullStop(inWords(failure.problem, units));
+  const QString problem = withFullStop(inWords(failure.problem, units));
+  QString text = where.isEmpty() ? asSentence(problem) : where.join(QStringLiteral(", ")) + ": " + problem;
   for (const Remedy& remedy : failure.remedies)
     if (remedy.kind == RemedyKind::advice && !namesAnOption(inWords(remedy.words, units)))
       text += ' ' + asSentence(inWords(remedy.words, units));

@@ -59,7 +59,7 @@ void ForceSetup::addDevice(QFormLayout& form) {
   firmware_ =
       described(new QPushButton, "forceFirmware",
                 tr("Firmware file that came with the Falcon's driver (7 to 9 kB). The Falcon needs it each "
-                   "time it was switched on. Its licence does not allow Detent to include it"));
+                   "time it is switched on. Its licence does not allow Detent to include it"));
   connect(firmware_, &QPushButton::clicked, this, &ForceSetup::chooseFirmware);
   form.addRow(tr("Fir&mware:"), firmware_);
 

@@ -41,10 +41,9 @@ SoundBox::SoundBox(FeelSession& session, QWidget* parent) : QWidget(parent), ses
 }
 
 QLayout* SoundBox::levelRow() {
-  sound_ = described(
-      new QToolButton, "soundSwitch",
-      tr("Play the vibration of each press through the sound device. The first press opens the device, "
-         "switching this off closes it."));
+  sound_ = described(new QToolButton, "soundSwitch",
+                     tr("Play the vibration of each press through the sound device. The first press opens "
+                        "the device; switching this off closes it."));
   sound_->setText(tr("Sound"));
   sound_->setCheckable(true);
   connect(sound_, &QToolButton::toggled, this, [this](bool on) {

@@ -40,7 +40,7 @@ std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
     case RemedyKind::addMask:
       return {{words("paint a mask over what is not part of a curve"), words("Paint mask")}};
     case RemedyKind::setResolution:
-      return {{words("choose a resolution; Detent then traces a picture of the page"), words("Resolution")}};
+      return {{words("choose a resolution; Detent then traces the page as a picture"), words("Resolution")}};
     case RemedyKind::swapStrokes:
       return {{words("swap press and release"), words("Swap press and release")}};
     case RemedyKind::drawPress:

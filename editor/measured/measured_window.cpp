@@ -137,7 +137,7 @@ QPushButton* MeasuredWindow::actionButton(const char* name, const QString& text,
 QWidget* MeasuredWindow::emptyPage() {
   emptyWords_ = namedText("measuredEmpty");
   emptyWords_->setText(
-      tr("More than 1,500 key switches have been measured in public. Download one of these collections "
+      tr("Measurements of more than 1,500 key switches are published. Download one of these collections "
          "(force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements "
          "(CSV, ODS, JSON, button files). Then add their folder. Detent contains no measurements; each one "
          "shows its author and licence."));
@@ -294,7 +294,7 @@ QLayout* MeasuredWindow::actionRow() {
   compareButton_ = actionButton("measuredCompare", tr("&Compare"),
                                 tr("Open two to six selected switches and overlay their curves"),
                                 [this] { openChosen(true); });
-  report_ = actionButton("measuredReport", tr("Write a &page…"),
+  report_ = actionButton("measuredReport", tr("Write a &web page…"),
                          tr("Write the most similar switches as a web page with plots, to send to others"),
                          [this] { writeReport(); });
   auto* row = new QHBoxLayout;

@@ -40,7 +40,7 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
       always);
   addSeparator();
   add("operationMirror", tr("&Mirror press to release…"),
-      tr("Create a release curve from the press, with hysteresis"), key(Qt::Key_M), mirrorOperation, always);
+      tr("Create a release curve from the press, lower by a force"), key(Qt::Key_M), mirrorOperation, always);
   add("operationRemoveRelease", tr("Remove release &curve…"),
       tr("Remove the release curve; the release follows the press curve"), {}, removeReleaseOperation,
       hasRelease);

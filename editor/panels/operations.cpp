@@ -159,9 +159,9 @@ Operation makeLinearOperation(const OperationTarget& target) {
 Operation mirrorOperation(const OperationTarget& target) {
   const double high = highestForce(target);
   Operation op{tr("Mirror press to release"),
-               tr("The release becomes a copy of the press curve, lowered by the hysteresis. Where the press "
-                  "force is below twice the hysteresis, the copy is lowered by less."),
-               {numberField(FieldKind::force, tr("Hysteresis"), 0.15 * high, 0, 10 * high,
+               tr("The release becomes a copy of the press curve, lowered by this force. Where the press "
+                  "force is below twice of it, the copy is lowered by less."),
+               {numberField(FieldKind::force, tr("Release lower by"), 0.15 * high, 0, 10 * high,
                             tr("How far the release lies below the press"))},
                {}};
   op.edit = [state = target.state](const Button& start, const Values& v) {
@@ -224,7 +224,7 @@ Operation snapRatioOperation(const OperationTarget& target) {
       tr("Snap ratio"),
       tr("(Tactile force − valley force) / tactile force. The tactile point stays, the valley moves."),
       {choice.field, numberField(FieldKind::ratio, tr("Ratio"), ratio, 0.001, 5,
-                                 tr("Usual: 0.2 for a soft key, 0.6 for a snappy dome"))},
+                                 tr("Usual: 20 % for a soft key, 60 % for a snappy dome"))},
       {}};
   op.edit = [state = target.state, entries = choice.entries](const Button& start, const Values& v) {
     const auto entry = entryOf(entries, v[0]);

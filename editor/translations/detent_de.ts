@@ -889,10 +889,6 @@ Lizenz: %3</translation>
         <translation>Machen Sie das Stück senkrecht (gleiche Wege) oder weniger steil</translation>
     </message>
     <message>
-        <source>Name one of these pieces</source>
-        <translation>Nennen Sie eines dieser Stücke</translation>
-    </message>
-    <message>
         <source>line %1, column %2</source>
         <translation>Zeile %1, Spalte %2</translation>
     </message>
@@ -1513,10 +1509,6 @@ Lizenz: %3</translation>
         <translation>Geben Sie den Graphen aller Geschwindigkeiten einen Rückweg, oder keinem</translation>
     </message>
     <message>
-        <source>one end of the %1 lies at %2, but in the graph of %3 it lies at %4; the two may differ by %5 at most</source>
-        <translation>ein Ende (%1) liegt bei %2, im Graphen für %3 aber bei %4; beide dürfen höchstens um %5 auseinanderliegen</translation>
-    </message>
-    <message>
         <source>the main graph of this state has the speed %1, but that of %2 has %3</source>
         <translation>der Hauptgraph dieses Zustands hat die Geschwindigkeit %1, der von %2 aber %3</translation>
     </message>
@@ -1639,10 +1631,6 @@ Lizenz: %3</translation>
     <message>
         <source>Give the distances as ordinary numbers</source>
         <translation>Geben Sie die Beträge als gewöhnliche Zahlen an</translation>
-    </message>
-    <message>
-        <source>the jump cannot return to the curve, because the force is %1 there and %2 in the valley</source>
-        <translation>der Sprung kann nicht zur Kurve zurückkehren, weil die Kraft dort %1 und im Tal %2 ist</translation>
     </message>
     <message>
         <source>the file is not valid JSON: %1</source>
@@ -1779,6 +1767,30 @@ Lizenz: %3</translation>
     <message>
         <source>masked by rain noise</source>
         <translation>durch Regengeräusch maskiert</translation>
+    </message>
+    <message>
+        <source>the %1 has an end at %2, but at %4 in the graph of %3; they may differ by %5 at most</source>
+        <translation>ein Ende (%1) liegt bei %2, im Graphen für %3 aber bei %4; beide dürfen höchstens um %5 auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>the jump cannot rejoin the curve: its end would lie at %1, but its valley or peak at %2</source>
+        <translation>der Sprung findet nicht zur Kurve zurück: Sein Ende läge bei %1, sein Tal oder Gipfel aber bei %2</translation>
+    </message>
+    <message>
+        <source>Choose one of its pieces</source>
+        <translation>Wählen Sie eines ihrer Stücke</translation>
+    </message>
+    <message>
+        <source>%1, damping point %2</source>
+        <translation>%1, Dämpfungspunkt %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>turn at %1</source>
+        <translation>Umkehr bei %1</translation>
     </message>
 </context>
 <context>
@@ -2141,10 +2153,6 @@ Lizenz: %3</translation>
         <translation>Maske malen</translation>
     </message>
     <message>
-        <source>choose a resolution; Detent then traces a picture of the page</source>
-        <translation>eine Auflösung wählen; Detent liest dann ein Bild der Seite ab</translation>
-    </message>
-    <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
     </message>
@@ -2337,14 +2345,6 @@ Lizenz: %3</translation>
         <translation>Hinweg zum Rückweg spiegeln</translation>
     </message>
     <message>
-        <source>The release becomes a copy of the press curve, lowered by the hysteresis. Where the press force is below twice the hysteresis, the copy is lowered by less.</source>
-        <translation>Der Rückweg wird eine Kopie der Hinwegkurve, um die Hysterese gesenkt. Wo die Kraft des Hinwegs unter der doppelten Hysterese liegt, wird die Kopie weniger gesenkt.</translation>
-    </message>
-    <message>
-        <source>Hysteresis</source>
-        <translation>Hysterese</translation>
-    </message>
-    <message>
         <source>How far the release lies below the press</source>
         <translation>Wie weit der Rückweg unter dem Hinweg liegt</translation>
     </message>
@@ -2395,10 +2395,6 @@ Lizenz: %3</translation>
     <message>
         <source>Ratio</source>
         <translation>Verhältnis</translation>
-    </message>
-    <message>
-        <source>Usual: 0.2 for a soft key, 0.6 for a snappy dome</source>
-        <translation>Üblich: 0,2 für eine weiche Taste, 0,6 für eine knackige Schnappscheibe</translation>
     </message>
     <message>
         <source>Refit curve</source>
@@ -2879,6 +2875,22 @@ Lizenz: %3</translation>
     <message>
         <source>at %2, the release at one speed lies up to %1 above the press at another and would add energy; there, the device uses this release curve for the press as well</source>
         <translation>bei %2 liegt der Rückweg einer Geschwindigkeit um bis zu %1 über dem Hinweg einer anderen und würde Energie zuführen; dort nimmt das Gerät diesen Rückweg auch für den Hinweg</translation>
+    </message>
+    <message>
+        <source>choose a resolution; Detent then traces the page as a picture</source>
+        <translation>eine Auflösung wählen; Detent liest die Seite dann als Bild ab</translation>
+    </message>
+    <message>
+        <source>The release becomes a copy of the press curve, lowered by this force. Where the press force is below twice of it, the copy is lowered by less.</source>
+        <translation>Der Rückweg wird eine Kopie der Hinwegkurve, um diese Kraft gesenkt. Wo die Kraft des Hinwegs unter ihrem Doppelten liegt, wird die Kopie weniger gesenkt.</translation>
+    </message>
+    <message>
+        <source>Release lower by</source>
+        <translation>Rückweg tiefer um</translation>
+    </message>
+    <message>
+        <source>Usual: 20 % for a soft key, 60 % for a snappy dome</source>
+        <translation>Üblich: 20 % für eine weiche Taste, 60 % für eine knackige Schnappscheibe</translation>
     </message>
 </context>
 <context>
@@ -3884,8 +3896,8 @@ Lizenz: %3</translation>
         <translation>Weg über der Kraft</translation>
     </message>
     <message>
-        <source>What a finger feels when it controls the force. Jumps appear as vertical lines.</source>
-        <translation>Was ein Finger fühlt, wenn er die Kraft steuert. Sprünge erscheinen als senkrechte Linien.</translation>
+        <source>The travel at each force, as a finger that sets the force feels it. Jumps appear as vertical lines.</source>
+        <translation>Der Weg bei jeder Kraft, wie ihn ein Finger fühlt, der die Kraft vorgibt. Sprünge erscheinen als senkrechte Linien.</translation>
     </message>
 </context>
 <context>
@@ -5157,16 +5169,16 @@ Lizenz: %3</translation>
         <translation>Firmware (*.bin);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Firmware file that came with the Falcon&apos;s driver (7 to 9 kB). The Falcon needs it each time it was switched on. Its licence does not allow Detent to include it</source>
-        <translation>Firmware-Datei, die mit dem Treiber des Falcon kam (7 bis 9 kB). Der Falcon braucht sie nach jedem Einschalten. Ihre Lizenz erlaubt nicht, dass Detent sie enthält</translation>
-    </message>
-    <message>
         <source>Uploads a table of forces to the microcontroller, so that no USB delay lies between position and force</source>
         <translation>Überträgt eine Tabelle der Kräfte auf den Mikrocontroller, damit keine USB-Verzögerung zwischen Position und Kraft liegt</translation>
     </message>
     <message>
         <source>limit of the device</source>
         <translation>Grenze des Geräts</translation>
+    </message>
+    <message>
+        <source>Firmware file that came with the Falcon&apos;s driver (7 to 9 kB). The Falcon needs it each time it is switched on. Its licence does not allow Detent to include it</source>
+        <translation>Firmware-Datei, die mit dem Treiber des Falcon kam (7 bis 9 kB). Der Falcon braucht sie nach jedem Einschalten. Ihre Lizenz erlaubt nicht, dass Detent sie enthält</translation>
     </message>
 </context>
 <context>
@@ -5286,16 +5298,16 @@ Lizenz: %3</translation>
         <translation>Der Abfall hinter dem Druckpunkt als Anteil seiner Kraft: 0 % bei einem linearen Taster, etwa 40 % und mehr bei einem knackigen.</translation>
     </message>
     <message>
-        <source>Where the button meets its end stop: from here on the force rises steeply and the travel ends.</source>
-        <translation>Hier trifft der Taster auf seinen Anschlag: Von da an steigt die Kraft steil, und der Weg endet.</translation>
-    </message>
-    <message>
         <source>On its way back the button pushes less (dashed), and the contact opens later, at the reset point. The area between the curves is the energy that a press loses.</source>
         <translation>Auf dem Rückweg drückt der Taster schwächer (gestrichelt), und der Kontakt öffnet später, am Rückschaltpunkt. Die Fläche zwischen den Kurven ist die Energie, die bei einem Druck verloren geht.</translation>
     </message>
     <message>
         <source>Solid: the press. Dashed: the release. Red: the part that the term names.</source>
         <translation>Durchgezogen: Drücken. Gestrichelt: Loslassen. Rot: der Teil, den der Begriff benennt.</translation>
+    </message>
+    <message>
+        <source>Where the button meets its end stop: from here on the force rises steeply, up to the end of the travel.</source>
+        <translation>Hier trifft der Taster auf seinen Anschlag: Von da an steigt die Kraft steil bis zum Ende des Wegs.</translation>
     </message>
 </context>
 <context>
@@ -7237,10 +7249,6 @@ Lizenz: %3</translation>
         <translation>&amp;Gemessene Schalter …</translation>
     </message>
     <message>
-        <source>Look through thousands of measured switches: table, map, curves</source>
-        <translation>Tausende gemessener Schalter durchsehen: Tabelle, Karte, Kurven</translation>
-    </message>
-    <message>
         <source>&amp;Find similar switches…</source>
         <translation>&amp;Ähnliche Schalter suchen …</translation>
     </message>
@@ -7440,6 +7448,10 @@ Lizenz: %3</translation>
         <source>Create the mean of several specimens of one button, and show their spread</source>
         <translation>Aus mehreren Exemplaren einen mittleren Taster erzeugen und ihre Streuung zeigen</translation>
     </message>
+    <message>
+        <source>Look through measured switches: table, map, curves</source>
+        <translation>Gemessene Schalter durchsehen: Tabelle, Karte, Kurven</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -7572,10 +7584,6 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Welche Dateien abgelehnt wurden, und warum</translation>
     </message>
     <message>
-        <source>More than 1,500 key switches have been measured in public. Download one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files). Then add their folder. Detent contains no measurements; each one shows its author and licence.</source>
-        <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Laden Sie eine dieser Sammlungen herunter (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …), oder verwenden Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien). Fügen Sie dann deren Ordner hinzu. Detent enthält keine Messungen; zu jeder werden Urheber und Lizenz angezeigt.</translation>
-    </message>
-    <message>
         <source>&amp;Add a folder…</source>
         <translation>Ordner &amp;hinzufügen …</translation>
     </message>
@@ -7680,10 +7688,6 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
         <translation>Zwei bis sechs gewählte Schalter öffnen und übereinanderlegen</translation>
     </message>
     <message>
-        <source>Write a &amp;page…</source>
-        <translation>Se&amp;ite schreiben …</translation>
-    </message>
-    <message>
         <source>Write the most similar switches as a web page with plots, to send to others</source>
         <translation>Die ähnlichsten Schalter als Webseite mit Diagrammen schreiben, die man verschicken kann</translation>
     </message>
@@ -7734,6 +7738,14 @@ Der Wert nach ± ist der Standardfehler aus Rauschen und Auflösung des Messger�
     <message>
         <source>Also read force graphs from PDF, SVG and picture files in the folders. This takes some seconds per page, but only the first time</source>
         <translation>Auch Kraftgraphen aus PDF-, SVG- und Bilddateien in den Ordnern lesen. Das dauert einige Sekunden je Seite, aber nur beim ersten Mal</translation>
+    </message>
+    <message>
+        <source>Measurements of more than 1,500 key switches are published. Download one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files). Then add their folder. Detent contains no measurements; each one shows its author and licence.</source>
+        <translation>Messungen von mehr als 1.500 Tastenschaltern sind veröffentlicht. Laden Sie eine dieser Sammlungen herunter (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …), oder verwenden Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien). Fügen Sie dann deren Ordner hinzu. Detent enthält keine Messungen; zu jeder werden Urheber und Lizenz angezeigt.</translation>
+    </message>
+    <message>
+        <source>Write a &amp;web page…</source>
+        <translation>Webse&amp;ite schreiben …</translation>
     </message>
 </context>
 <context>
@@ -7861,10 +7873,6 @@ Gegenüber dem gezeigten Taster: %2</translation>
         <translation>&amp;Hinweg zum Rückweg spiegeln …</translation>
     </message>
     <message>
-        <source>Create a release curve from the press, with hysteresis</source>
-        <translation>Eine Rückwegkurve aus dem Hinweg erzeugen, mit Hysterese</translation>
-    </message>
-    <message>
         <source>Remove release &amp;curve…</source>
         <translation>&amp;Rückweg entfernen …</translation>
     </message>
@@ -7947,6 +7955,10 @@ Gegenüber dem gezeigten Taster: %2</translation>
     <message>
         <source>Reading the traced points from the page…</source>
         <translation>Die Punkte werden von der Seite abgelesen …</translation>
+    </message>
+    <message>
+        <source>Create a release curve from the press, lower by a force</source>
+        <translation>Eine Rückwegkurve aus dem Hinweg erzeugen, um eine Kraft tiefer</translation>
     </message>
 </context>
 <context>
@@ -8761,8 +8773,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Stärke der stärksten 10 ms in den letzten 1,5 s, in dB über der schwächsten Vibration, die eine Fingerspitze fühlt. Sie wird aus der Stärke des Wandlers im Geräteprofil berechnet. ≈ bedeutet, dass die Stärke des Wandlers angenommen und nicht gemessen ist.</translation>
     </message>
     <message>
-        <source>Play the vibration of each press through the sound device. The first press opens the device, switching this off closes it.</source>
-        <translation>Die Vibration jeder Betätigung über das Audiogerät abspielen. Die erste Betätigung öffnet das Gerät, das Ausschalten schließt es.</translation>
+        <source>Play the vibration of each press through the sound device. The first press opens the device; switching this off closes it.</source>
+        <translation>Die Vibration jeder Betätigung über das Audiogerät abspielen. Die erste Betätigung öffnet das Gerät; das Ausschalten schließt es.</translation>
     </message>
 </context>
 <context>
@@ -9756,10 +9768,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sie haben hier die Farbe %1 angegeben, die Legende nennt die Kurve dieser Farbe aber „%2“</translation>
     </message>
     <message>
-        <source>the legend also names strokes of &quot;%1&quot;, which were not traced</source>
-        <translation>die Legende nennt auch Hübe von „%1“, die nicht abgelesen wurden</translation>
-    </message>
-    <message>
         <source>the first reading of the page was not certain (%1); two readings at other sizes agree and were used</source>
         <translation>die erste Lesung der Seite war nicht sicher (%1); zwei Lesungen in anderen Größen stimmen überein und wurden verwendet</translation>
     </message>
@@ -10004,10 +10012,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Dateikopf</translation>
     </message>
     <message>
-        <source>the %1 states no size, or is cut off before the size</source>
-        <translation>%1: es ist keine Größe angegeben, oder die Datei bricht vorher ab</translation>
-    </message>
-    <message>
         <source>Save or export the picture again and import the new file</source>
         <translation>Speichern oder exportieren Sie das Bild noch einmal, und importieren Sie die neue Datei</translation>
     </message>
@@ -10114,10 +10118,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check the units of the axes</source>
         <translation>Die Einheiten der Achsen prüfen</translation>
-    </message>
-    <message>
-        <source>the displacement of the points goes forth and back</source>
-        <translation>der Weg der Punkte läuft hin und her</translation>
     </message>
     <message>
         <source>Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page</source>
@@ -10360,10 +10360,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>sie zeigt Kategorien statt einer Skala</translation>
     </message>
     <message>
-        <source>it is broken: its numbers go on at another distance</source>
-        <translation>sie ist unterbrochen: ihre Zahlen gehen in anderem Abstand weiter</translation>
-    </message>
-    <message>
         <source>it measures &quot;%1&quot;</source>
         <translation>sie misst „%1“</translation>
     </message>
@@ -10450,10 +10446,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>two readings of the page differ: the first found %1; the second, with the page drawn at another size, found %2</source>
         <translation>zwei Lesungen der Seite weichen voneinander ab: Die erste fand %1; die zweite, bei anderer Größe der Seite, fand %2</translation>
-    </message>
-    <message>
-        <source>the %1 numbers along this axis decrease, and the plot could not be turned round</source>
-        <translation>die %1 Zahlen an dieser Achse nehmen ab, und das Diagramm ließ sich nicht umkehren</translation>
     </message>
     <message>
         <source>the %1 axis names no unit, so %2 was assumed</source>
@@ -10562,6 +10554,30 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the legend calls one of two curves &quot;%1&quot;, which means neither press nor release; the name of the other curve could not be read</source>
         <translation>die Legende nennt eine von zwei Kurven „%1“, was weder Drücken noch Loslassen bedeutet; der Name der anderen Kurve war nicht lesbar</translation>
+    </message>
+    <message>
+        <source>it has a break, after which the numbers stand at another spacing</source>
+        <translation>sie ist unterbrochen; danach stehen die Zahlen in anderem Abstand</translation>
+    </message>
+    <message>
+        <source>the displacement of the points goes back and forth</source>
+        <translation>der Weg der Punkte läuft hin und her</translation>
+    </message>
+    <message>
+        <source>the legend also names curves of &quot;%1&quot;, which were not traced</source>
+        <translation>die Legende nennt auch Kurven von „%1“, die nicht abgelesen wurden</translation>
+    </message>
+    <message>
+        <source>the %1 numbers along this axis decrease, and the plot could not be mirrored</source>
+        <translation>die %1 Zahlen an dieser Achse nehmen ab, und das Diagramm ließ sich nicht spiegeln</translation>
+    </message>
+    <message>
+        <source>the %1 is damaged or cut off: it states no width and height</source>
+        <translation>%1 ist beschädigt oder abgeschnitten: Breite und Höhe fehlen</translation>
+    </message>
+    <message>
+        <source>Import a graph of the same button with evenly divided axes</source>
+        <translation>Importieren Sie einen Graphen desselben Tasters mit gleichmäßig geteilten Achsen</translation>
     </message>
 </context>
 <context>
@@ -10880,6 +10896,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the file holds a release, but no press</source>
         <translation>die Datei enthält einen Rückweg, aber keinen Hinweg</translation>
+    </message>
+    <message>
+        <source>If one of them is it: --displacement-column NAME|N, --force-column NAME|N</source>
+        <translation>Falls es eine von ihnen ist: --displacement-column NAME|N, --force-column NAME|N</translation>
     </message>
 </context>
 <context>
@@ -11297,14 +11317,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Weg ist %1</translation>
     </message>
     <message>
-        <source>%1 cannot hold this press: its strongest sample is only %2 of full scale, so nothing would be felt</source>
-        <translation>%1 kann diese Betätigung nicht fassen: Der stärkste Wert ist nur %2 der Vollaussteuerung, es wäre also nichts zu fühlen</translation>
-    </message>
-    <message>
-        <source>Press deeper, raise the gain of the device profile, or choose the format package, which holds any press</source>
-        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils, oder wählen Sie das Format package, das jede Betätigung fasst</translation>
-    </message>
-    <message>
         <source>samples of %1 bits are not supported</source>
         <translation>%1 Bit je Wert werden nicht unterstützt</translation>
     </message>
@@ -11321,20 +11333,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie eine Rate von 8000 bis 192000 an</translation>
     </message>
     <message>
-        <source>this press produces no vibration: %1 of its %2 readings are not numbers, out of range or out of order</source>
-        <translation>diese Betätigung erzeugt keine Vibration: %1 ihrer %2 Messwerte sind keine Zahlen, außerhalb des Bereichs oder nicht in der Reihenfolge</translation>
-    </message>
-    <message>
         <source>Correct these readings</source>
         <translation>Berichtigen Sie diese Messwerte</translation>
     </message>
     <message>
         <source>this press produces no vibration</source>
         <translation>diese Betätigung erzeugt keine Vibration</translation>
-    </message>
-    <message>
-        <source>Press harder or deeper, or choose a mode that plays something</source>
-        <translation>Drücken Sie stärker oder tiefer oder wählen Sie eine Art, die etwas wiedergibt</translation>
     </message>
     <message>
         <source>the press lasts %1 s; an export holds at most %2 s</source>
@@ -11555,10 +11559,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Export the file again</source>
         <translation>Exportieren Sie die Datei neu</translation>
-    </message>
-    <message>
-        <source>times, force or sensor rate lie outside their ranges</source>
-        <translation>Zeiten, Kraft oder Sensorrate liegen außerhalb ihrer Bereiche</translation>
     </message>
     <message>
         <source>Give positive times that add up to at most 600 s</source>
@@ -11847,10 +11847,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>an error whose code begins with %1; the rest was cut off, but dump_errors in odrivetool shows it</source>
         <translation>ein Fehler, dessen Code mit %1 beginnt; der Rest wurde abgeschnitten, dump_errors in odrivetool zeigt ihn</translation>
-    </message>
-    <message>
-        <source>This computer is too slow: it takes %1 ms to send a line to itself. Close other programs and allow real-time scheduling (docs/guide/force-feedback.md)</source>
-        <translation>Dieser Rechner reagiert zu langsam: Er braucht %1 ms, um sich selbst eine Zeile zu senden. Andere Programme schließen und Echtzeit-Scheduling erlauben (docs/guide/force-feedback.md)</translation>
     </message>
     <message>
         <source>The device is too slow. Make the connection faster: native USB, a higher --baud, an FTDI latency timer of 1 ms. Or use --upload, so that the device computes the force</source>
@@ -12469,14 +12465,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Datei ist kein Studienplan, den dieses Programm kennt</translation>
     </message>
     <message>
-        <source>the plan names a rule for participants who did not finish that this program does not know</source>
-        <translation>der Plan nennt eine Regel für Versuchspersonen, die nicht fertig wurden, die dieses Programm nicht kennt</translation>
-    </message>
-    <message>
-        <source>the file does not hold study counts of version %1</source>
-        <translation>die Datei enthält keine Zählungen einer Studie der Version %1</translation>
-    </message>
-    <message>
         <source>increasing &quot;%3&quot; makes no difference to the feel of the button &quot;%1&quot; (%2)</source>
         <translation>mehr „%3“ ändert nichts daran, wie sich der Taster „%1“ anfühlt (%2)</translation>
     </message>
@@ -12487,10 +12475,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the file does not describe a study</source>
         <translation>die Datei beschreibt keine Studie</translation>
-    </message>
-    <message>
-        <source>Choose a folder that New study or `detent-play study new` made</source>
-        <translation>Wählen Sie einen Ordner, den „Neue Studie“ oder „detent-play study new“ angelegt hat</translation>
     </message>
     <message>
         <source>the study has version %1; this program knows the versions 1 to %2</source>
@@ -12657,10 +12641,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie Reibung und Dämpfung des Geräts an, oder wählen Sie ein anderes</translation>
     </message>
     <message>
-        <source>in a tapping study, the PLACE of timing=PLACE,SPREAD is the time between presses in seconds</source>
-        <translation>in einer Studie des Tippens ist PLACE in timing=PLACE,SPREAD die Zeit zwischen den Tastendrücken in Sekunden</translation>
-    </message>
-    <message>
         <source>Give a list of 1 to %1 times that all differ</source>
         <translation>Geben Sie eine Liste von 1 bis %1 verschiedenen Zeiten an</translation>
     </message>
@@ -12711,6 +12691,50 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Choose another quantity, or a button that has less of the present quantity</source>
         <translation>Wählen Sie eine andere Größe oder einen Taster, der weniger von der jetzigen hat</translation>
+    </message>
+    <message>
+        <source>This computer is too slow: a message to itself takes %1 ms. Close other programs and allow real-time scheduling (docs/guide/force-feedback.md)</source>
+        <translation>Dieser Rechner reagiert zu langsam: Eine Nachricht an sich selbst dauert %1 ms. Andere Programme schließen und Echtzeit-Scheduling erlauben (docs/guide/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold this press: its strongest sample is only %2 of full scale, so nothing would be felt</source>
+        <translation>%1 kann diese Betätigung nicht fassen: Der stärkste Wert ist nur %2 der Vollaussteuerung, es wäre also nichts zu fühlen</translation>
+    </message>
+    <message>
+        <source>Press deeper, raise the gain of the device profile, or choose the Detent package, which holds any press</source>
+        <translation>Drücken Sie tiefer, erhöhen Sie die Verstärkung des Geräteprofils, oder wählen Sie das Detent-Paket, das jede Betätigung fasst</translation>
+    </message>
+    <message>
+        <source>this press produces no vibration: %1 of its %2 readings are out of range, out of order or not numbers</source>
+        <translation>diese Betätigung erzeugt keine Vibration: %1 ihrer %2 Messwerte sind außerhalb des Bereichs, nicht in der Reihenfolge oder keine Zahlen</translation>
+    </message>
+    <message>
+        <source>Press harder or deeper, or give the button a tactile point</source>
+        <translation>Drücken Sie stärker oder tiefer, oder geben Sie dem Taster einen Druckpunkt</translation>
+    </message>
+    <message>
+        <source>a time, the force or the sensor rate is out of range</source>
+        <translation>eine Zeit, die Kraft oder die Sensorrate liegt außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>in a tapping study, PLACE of timing=PLACE,SPREAD is the time between presses in seconds, and this one is too short</source>
+        <translation>in einer Studie des Tippens ist PLACE in timing=PLACE,SPREAD die Zeit zwischen den Tastendrücken in Sekunden, und diese ist zu kurz</translation>
+    </message>
+    <message>
+        <source>this program does not know the plan&apos;s rule for participants who did not finish</source>
+        <translation>dieses Programm kennt die Regel des Plans für Versuchspersonen nicht, die nicht fertig wurden</translation>
+    </message>
+    <message>
+        <source>the file does not hold counted answers, version %1</source>
+        <translation>die Datei enthält keine ausgezählten Antworten, Version %1</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a study that “New study” or `detent-play study new` made</source>
+        <translation>Wählen Sie den Ordner einer Studie, die „Neue Studie“ oder „detent-play study new“ angelegt hat</translation>
+    </message>
+    <message>
+        <source>can hold %1 N/mm by its measured profile; this button needs %2 N/mm</source>
+        <translation>kann nach seinem gemessenen Profil %1 N/mm halten; dieser Taster braucht %2 N/mm</translation>
     </message>
 </context>
 <context>
@@ -12951,6 +12975,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>readings must all rise or all fall, but this one stays the same or turns back</source>
         <translation>die Messwerte müssen alle steigen oder alle fallen, aber dieser bleibt gleich oder kehrt um</translation>
     </message>
+    <message>
+        <source>pair %1</source>
+        <translation>Paar %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::OdriveForceDevice</name>
@@ -13104,10 +13132,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Wert enthält etwas, das keine Zahl ist</translation>
     </message>
     <message>
-        <source>the value must be newtons, linear or divider</source>
-        <translation>der Wert muss newtons, linear oder divider sein</translation>
-    </message>
-    <message>
         <source>the value must be above 0</source>
         <translation>der Wert muss über 0 liegen</translation>
     </message>
@@ -13122,6 +13146,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>this entry is not known</source>
         <translation>dieser Eintrag ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the value must be &quot;newtons&quot;, &quot;linear&quot; or &quot;divider&quot;</source>
+        <translation>der Wert muss „newtons“, „linear“ oder „divider“ sein</translation>
     </message>
 </context>
 <context>
@@ -13182,14 +13210,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>dies ist das Journal von %1</translation>
     </message>
     <message>
-        <source>the journal belongs to another study, or study.json was changed since</source>
-        <translation>das Journal gehört zu einer anderen Studie, oder study.json wurde seither geändert</translation>
-    </message>
-    <message>
-        <source>this line names a session that this program does not know: %1, %2</source>
-        <translation>diese Zeile nennt eine Sitzung, die dieses Programm nicht kennt: %1, %2</translation>
-    </message>
-    <message>
         <source>this line is an answer outside a session</source>
         <translation>diese Zeile ist eine Antwort außerhalb einer Sitzung</translation>
     </message>
@@ -13205,6 +13225,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>this line is an answer about a button that was not felt</source>
         <translation>diese Zeile ist eine Antwort über einen Taster, der nicht gefühlt wurde</translation>
     </message>
+    <message>
+        <source>the journal belongs to another study, or study.json was changed later</source>
+        <translation>das Journal gehört zu einer anderen Studie, oder study.json wurde später geändert</translation>
+    </message>
+    <message>
+        <source>this line has a kind of session that this program does not know: %1, %2</source>
+        <translation>diese Zeile hat eine Art von Sitzung, die dieses Programm nicht kennt: %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::SerialForceDevice</name>
@@ -13215,10 +13243,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check that the firmware follows docs/reference/force-protocol.md and that the baud rate is the same</source>
         <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md befolgt und die Baudrate dieselbe ist</translation>
-    </message>
-    <message>
-        <source>Check the firmware and the cable; without the upload, this computer computes the force</source>
-        <translation>Prüfen Sie Firmware und Kabel; ohne das Übertragen berechnet dieser Rechner die Kraft</translation>
     </message>
     <message>
         <source>Prepare the button for the limit of the device</source>
@@ -13259,6 +13283,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the device was opened with a limit of %1, but the table has %2 or no limit</source>
         <translation>das Gerät wurde mit einer Grenze von %1 geöffnet, die Tabelle hat aber %2 oder keine Grenze</translation>
+    </message>
+    <message>
+        <source>Check the firmware and the cable, or switch the upload off: this computer computes the force then</source>
+        <translation>Prüfen Sie Firmware und Kabel, oder schalten Sie das Übertragen aus: Dann berechnet dieser Rechner die Kraft</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
     </message>
 </context>
 <context>

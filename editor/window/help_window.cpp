@@ -87,8 +87,8 @@ std::vector<Entry> glossaryEntries() {
       {"glossaryBottomOut",
        {bottomOutForce},
        GlossaryWindow::tr("Bottom-out"),
-       GlossaryWindow::tr(
-           "Where the button meets its end stop: from here on the force rises steeply and the travel ends.")},
+       GlossaryWindow::tr("Where the button meets its end stop: from here on the force rises steeply, up to "
+                          "the end of the travel.")},
       {"glossaryTravel",
        {preTravel, overTravel},
        GlossaryWindow::tr("Pre-travel and over-travel"),

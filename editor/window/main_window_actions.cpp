@@ -294,8 +294,8 @@ void MainWindow::makeWindowActions() {
                          tr("Predict for all open buttons which of them people will confuse"),
                          QKeySequence("Ctrl+Shift+K"), [this] { showForecasts(); }));
   menu->addAction(action("measured", tr("&Measured switches…"),
-                         tr("Look through thousands of measured switches: table, map, curves"),
-                         QKeySequence("Ctrl+M"), [this] { showMeasured(); }));
+                         tr("Look through measured switches: table, map, curves"), QKeySequence("Ctrl+M"),
+                         [this] { showMeasured(); }));
   menu->addAction(tabAction(
       "feelsLike", tr("&Find similar switches…"), tr("List the measured switches nearest to this button"),
       QKeySequence("Ctrl+Alt+M"), [this](DocumentTab& tab) { showMeasured().askFor(tab.document()); }));

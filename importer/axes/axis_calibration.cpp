@@ -49,14 +49,14 @@ bool areExchanged(const AxisCalibration& axes) {
 
 Doubt otherQuantityOn(const char* axis, const std::string& quantity, RemedyKind unit) {
   // No unit makes such a scale even.
-  const Message evenAxes("Import a graph of the same button with evenly divided axes");
+  const auto evenAxes = Message("Import a graph of the same button with evenly divided axes");
   if (quantity == logarithmicScale)
     return {DoubtCode::otherQuantity, {axis, Message("it is logarithmic")}, evenAxes};
   if (quantity == categoriesScale)
     return {DoubtCode::otherQuantity, {axis, Message("it has categories instead of a scale")}, evenAxes};
   if (quantity == brokenScale)
     return {DoubtCode::otherQuantity,
-            {axis, Message("it is broken: its numbers go on at another distance")},
+            {axis, Message("it has a break, after which the numbers stand at another spacing")},
             evenAxes};
   const bool isTravel = unit == RemedyKind::giveXUnit;
   return {DoubtCode::otherQuantity,

@@ -254,7 +254,7 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Strok
   const double advance = samples.points.back().u - samples.points.front().u;
   if (!(advance > 0) || greatestSetback(samples.points) > std::max(0.25 * spanU, 8.0))
     return unreadable(
-        stroke, "", Message("the displacement of the points goes forth and back"),
+        stroke, "", Message("the displacement of the points goes back and forth"),
         Message("Separate press and release, and put the points of each into the order of the movement"));
   const std::size_t maxCount = static_cast<std::size_t>(options.maxPoints);
   samples.points = withoutRepeats(samples.points);

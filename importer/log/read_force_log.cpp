@@ -554,7 +554,8 @@ class LogReader {
 
   static Failure lacking(TableLack lack, const DataTable& data, const std::string& subject) {
     const std::string titles = titlesOf(data);
-    const Message nameThem("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
+    const auto nameThem =
+        Message("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
     switch (lack) {
       case TableLack::displacement:
         return noForceLog(subject, Message("no column holds displacements; the columns are %1", titles),

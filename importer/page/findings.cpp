@@ -117,7 +117,7 @@ constexpr Wording<DoubtCode> doubtWords[] = {
            "the other "
            "curve could not be read")},
     {DoubtCode::otherSwitchNamed, "other-switch-named",
-     words("the legend also names strokes of \"%1\", which were not traced")},
+     words("the legend also names curves of \"%1\", which were not traced")},
     {DoubtCode::pageIsScan, "page-is-scan",
      words("the page looks scanned, and scans are read wrong more often than drawings")},
     {DoubtCode::pageIsPhoto, "page-is-photo",
@@ -127,7 +127,7 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::givenAgainstLabels, "given-against-labels",
      words("the values entered for the %1 axis contradict the numbers printed there (%2)")},
     {DoubtCode::rangeFalls, "range-falls",
-     words("the %1 numbers along this axis decrease, and the plot could not be turned round")},
+     words("the %1 numbers along this axis decrease, and the plot could not be mirrored")},
     {DoubtCode::assumed, "assumed", words("%1")}};
 
 constexpr Wording<RemarkCode> remarkWords[] = {

@@ -144,7 +144,7 @@ std::string megapixels(double pixels) {
 std::optional<Failure> refusal(const SourceFile& file, FileKind kind, const PictureHeader& header) {
   if (header.width_px <= 0 || header.height_px <= 0)
     return unreadable(file.name, Message("header"),
-                      Message("the %1 states no size, or is cut off before the size", kindName(kind)),
+                      Message("the %1 is damaged or cut off: it states no width and height", kindName(kind)),
                       Message("Save or export the picture again and import the new file"));
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
   if (pixels > file.limits.maxMegapixels * 1e6)

@@ -94,7 +94,7 @@ Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::st
   Result<SerialLink> link = SerialLink::open(port, baud);
   if (!link) return link.failure();
   std::unique_ptr<SerialForceDevice> device(new SerialForceDevice(*std::move(link), period_s, limits));
-  Message problem("does not answer");
+  auto problem = Message("does not answer");
   for (const double deadline_s = now_s() + bootPause_s; now_s() < deadline_s;) {
     if (!device->hello(problem)) continue;
     if (device->info_.force_N < limits.force_N * 0.999) {
@@ -219,9 +219,10 @@ std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::st
 }
 
 Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
-  Failure refused{
-      FailureCode::deviceTrouble, info_.name, "", Message("the device does not accept the force table"),
-      Message("Check the firmware and the cable; without the upload, this computer computes the force")};
+  Failure refused{FailureCode::deviceTrouble, info_.name, "",
+                  Message("the device does not accept the force table"),
+                  Message("Check the firmware and the cable, or switch the upload off: this computer "
+                          "computes the force then")};
   if (std::optional<Failure> other = refusedAsTable(program, info_.name)) return *std::move(other);
   if (info_.tableRows < 2) {
     return Failure{

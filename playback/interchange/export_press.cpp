@@ -69,7 +69,7 @@ Failure tooFaint(const PressPlan& plan, ExportFormat format) {
           Message("%1 cannot hold this press: its strongest sample is only %2 of full scale, so nothing "
                   "would be felt",
                   std::string(exportFormats.word(format)), peak),
-          Message("Press deeper, raise the gain of the device profile, or choose the format package, which "
+          Message("Press deeper, raise the gain of the device profile, or choose the Detent package, which "
                   "holds any press")};
 }
 

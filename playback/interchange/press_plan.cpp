@@ -69,14 +69,14 @@ Result<std::vector<float>> unlimited(const HapticProgram& program, const PressTr
 Failure nothingFelt(const ConditionerCounts& readings) {
   if (readings.rejected() > 0)
     return {FailureCode::wrongUsage, Subject::option("--press"), "",
-            Message("this press produces no vibration: %1 of its %2 readings are not numbers, out of range "
-                    "or out of order",
+            Message("this press produces no vibration: %1 of its %2 readings are out of range, out of order "
+                    "or not numbers",
                     static_cast<std::size_t>(readings.rejected()),
                     static_cast<std::size_t>(readings.rejected() + readings.accepted)),
             Message("Correct these readings")};
   return {FailureCode::wrongUsage, Subject::option("--press"), "",
           Message("this press produces no vibration"),
-          Message("Press harder or deeper, or choose a mode that plays something")};
+          Message("Press harder or deeper, or give the button a tactile point")};
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Result<MagneticSensor> MagneticSensor::fromPairs(std::vector<SensorPair> pairs, 
                     Message("Measure readings at several places of the travel"));
   const bool rises = pairs[1].reading > pairs[0].reading;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Message place("pair %1", i + 1);
+    const auto place = Message("pair %1", i + 1);
     if (!std::isfinite(pairs[i].displacement_mm) || !std::isfinite(pairs[i].reading))
       return unusable(subject, place, Message("one of the two values is not a usable number"),
                       Message("Remove or correct the value"));

@@ -51,7 +51,7 @@ class Reader {
 
   Message circuit(std::string_view value) {
     const auto circuit = sensorCircuits.value(value);
-    if (!circuit) return Message("the value must be newtons, linear or divider");
+    if (!circuit) return Message("the value must be \"newtons\", \"linear\" or \"divider\"");
     profile.sensor.circuit = *circuit;
     return {};
   }

@@ -44,7 +44,7 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
         press.sensor_Hz >= 10 && press.sensor_Hz <= 100000 &&
         press.press_s + press.hold_s + press.release_s <= 600)) {
     return Failure{FailureCode::wrongUsage, "standard press", "",
-                   Message("times, force or sensor rate lie outside their ranges"),
+                   Message("a time, the force or the sensor rate is out of range"),
                    Message("Give positive times that add up to at most 600 s")};
   }
   RenderSettings settings;

@@ -104,6 +104,8 @@ def unmarked(root, known):
                 words = words_of(match.group(1))
                 if re.match(r"[A-Za-z][^ ]* .*[a-z]", words) and words not in known:
                     yield f"{place}: \"{words}\" is said to people, but not as Message(\"...\")"
+        for variable in re.finditer(r"\bMessage\s+\w+[({]" + LITERAL, text):
+            yield f"{place}: lupdate does not find \"{words_of(variable.group(1))}\": write auto NAME = Message(\"...\")"
         for code in re.finditer(r"\bFailureCode::\w+,\s*\"([A-Za-z ]+)\"\s*[,}]", text):
             if code.group(1) not in known:
                 yield f"{place}: \"{code.group(1)}\" is what a failure is about, but is not among the translated parts"

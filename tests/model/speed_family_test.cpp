@@ -76,9 +76,9 @@ TEST_CASE("the graphs of one button have the same strokes, travel and points") {
   refused(*removeRelease(graphWith(0.6, 0.3)),
           "state 1, 50 mm/s: this graph has no release, but the graph at 20 mm/s has one");
   refused(*scaleTravel(graphWith(0.6, 0.3), 1.06),
-          "one end of the press lies at 4.24 mm, but in the graph of 20 mm/s it lies at 4 mm; the two may "
+          "the press has an end at 4.24 mm, but at 4 mm in the graph of 20 mm/s; they may "
           "differ by 0.2 mm at most");
-  refused(graphOf({{0, 0}, {4, 1}}, {{0.3, 0}, {4, 1}}), "one end of the release lies at 0.3 mm");
+  refused(graphOf({{0, 0}, {4, 1}}, {{0.3, 0}, {4, 1}}), "the release has an end at 0.3 mm");
   ButtonState near = stateWith({20, 50});
   near.otherSpeeds[0].graph = *scaleTravel(graphWith(0.6, 0.3), 1.04);
   CHECK(buttonWith(near).ok());

@@ -128,7 +128,7 @@ class Replay {
       return wrong(Message("this is the journal of %1", jsonText(json.at("participant"))),
                    Message("Give the file its original name again"));
     if (json.at("study_sha256") != study_.sha256)
-      return wrong(Message("the journal belongs to another study, or study.json was changed since"),
+      return wrong(Message("the journal belongs to another study, or study.json was changed later"),
                    Message("Restore study.json, or move the journal to its own study"));
     record_.program = json.at("program");
     record_.begunBefore = json.value("begun_before", std::size_t{0});
@@ -148,7 +148,7 @@ class Replay {
     const auto kind = sessionKinds.value(json.at("kind").get<std::string>());
     const auto listening = listenings.value(json.at("listening").get<std::string>());
     if (!kind || !listening)
-      return wrong(Message("this line names a session that this program does not know: %1, %2",
+      return wrong(Message("this line has a kind of session that this program does not know: %1, %2",
                            jsonText(json.at("kind")), jsonText(json.at("listening"))),
                    Message("Use the program that wrote the journal"));
     s.kind = *kind;

@@ -365,11 +365,10 @@ Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
                    timed ? Message("Give guess, perfect or errors=P")
                          : Message("Give timing=PLACE,SPREAD or presses=FILE")};
   if (simulation.timing && study.design.task == TimingTask::tapping && simulation.timing->place < 0.01)
-    return Failure{
-        FailureCode::wrongUsage, Subject::option("--simulate"), "",
-        Message(
-            "in a tapping study, the PLACE of timing=PLACE,SPREAD is the time between presses in seconds"),
-        Message("Give a time of 0.01 s or more")};
+    return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                   Message("in a tapping study, PLACE of timing=PLACE,SPREAD is the time between presses in "
+                           "seconds, and this one is too short"),
+                   Message("Give a time of 0.01 s or more")};
   if (simulation.dPrime && study.design.kind != StudyKind::sameDifferent)
     return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                    Message("a simulated sensitivity (d') can answer only same/different studies"),

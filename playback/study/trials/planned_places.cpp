@@ -48,9 +48,7 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
       const auto rule = unfinishedRules.value(json.at("unfinished").get<std::string>());
       if (!rule)
         return brokenPlan(
-            file,
-            Message(
-                "the plan names a rule for participants who did not finish that this program does not know"));
+            file, Message("this program does not know the plan's rule for participants who did not finish"));
       plan.unfinished = *rule;
     }
     for (const Json& id : json.at("participants")) plan.participants.push_back(id.get<std::string>());

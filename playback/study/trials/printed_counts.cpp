@@ -114,7 +114,7 @@ Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder) {
   try {
     const Json json = Json::parse(*text);
     if (json.at("format") != "detent-study-counts" || json.at("version") != countsVersion)
-      return broken(Message("the file does not hold study counts of version %1", countsVersion));
+      return broken(Message("the file does not hold counted answers, version %1", countsVersion));
     StudyResults results;
     results.study = json.at("title");
     results.source = json.at("source");

@@ -149,8 +149,9 @@ Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file)
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
-    return unreadable(file, Message("the file does not describe a study"),
-                      Message("Choose a folder that New study or `detent-play study new` made"));
+    return unreadable(
+        file, Message("the file does not describe a study"),
+        Message("Choose the folder of a study that “New study” or `detent-play study new` made"));
   study.version = json.at("version");
   if (study.version < 1 || study.version > studyVersion)
     return unreadable(file,

@@ -133,6 +133,12 @@ class FilesTest : public QObject {
     QVERIFY(sentenceOf(opened.failure()).contains("line 2"));
   }
 
+  void aSentenceNamesNoOptionOfTheCommandLine() {
+    const Failure failure{FailureCode::wrongUsage, Subject::option("--press"), "",
+                          Message("this press produces no vibration"), Message("Press deeper")};
+    QCOMPARE(sentenceOf(failure), QString("This press produces no vibration. Press deeper."));
+  }
+
   void aCsvOpensAsANewDocument() {
     ButtonDocument source(*tactileButton());
     QVERIFY(exportCsv(csvText(source.button(), 0), at("bump.csv")).ok());

@@ -148,7 +148,7 @@ TEST_CASE("what cannot be fitted is refused with a sentence") {
   std::vector<CurvePoint> thereAndBack;
   for (int i = 0; i <= 100; ++i) thereAndBack.push_back({0.04 * i, 0.5});
   for (int i = 99; i >= 1; --i) thereAndBack.push_back({0.04 * i, 0.4});
-  CHECK(refused(thereAndBack).find("forth and back") != std::string::npos);
+  CHECK(refused(thereAndBack).find("back and forth") != std::string::npos);
 }
 
 TEST_CASE("options outside their ranges are refused by name") {
