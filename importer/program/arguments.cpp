@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -277,6 +278,33 @@ std::string settledBy(const CLI::App& app) {
   return lines;
 }
 
+/// Returns true for two spellings of one file, whether it exists yet or not.
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  const auto whole = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  return whole(a) == whole(b) ||
+         (std::filesystem::is_regular_file(a, ignored) && std::filesystem::equivalent(a, b, ignored));
+}
+
+/// Throws CLI::ValidationError if an output would replace an input or another output.
+void refuseOverwriting(const Arguments& a) {
+  std::vector<std::pair<std::string, std::string>> taken;  // paths, and what they are called
+  for (const std::string& input : a.inputs) taken.emplace_back(input, "INPUT");
+  const std::string& release = a.request.hints.releasePath;
+  if (!release.empty()) taken.emplace_back(release, "INPUT");
+  for (const auto& [option, path] :
+       {std::pair("-o", a.buttonPath), std::pair("--csv", a.csvPath), std::pair("--trace-csv", a.tracePath),
+        std::pair("--overlay", a.overlayPath), std::pair("--dump-steps", a.stepsPath)}) {
+    if (path.empty()) continue;
+    for (const auto& [other, name] : taken)
+      if (isSameFile(path, other))
+        throw CLI::ValidationError(option, "names the file of " + name + "; give it a name of its own");
+    taken.emplace_back(path, option);
+  }
+}
+
 void settle(const RawOptions& raw, Arguments& a) {
   ImportHints& hints = a.request.hints;
   if (raw.page > 0) a.request.page = raw.page;
@@ -325,6 +353,7 @@ void settle(const RawOptions& raw, Arguments& a) {
                                "one input at a time; pass --batch with --out-dir DIR for several, --family "
                                "for records of one button at several speeds");
   }
+  refuseOverwriting(a);
   if (!a.batch && a.withoutOverlays)
     throw CLI::ValidationError("--no-overlays", "is for --batch; without it --overlay asks for one");
   if (a.batch && (a.list || !a.buttonPath.empty() || !a.csvPath.empty() || !a.tracePath.empty() ||

@@ -200,6 +200,25 @@ TEST_CASE("Wrong usage exits 2 and says how it is meant") {
   says({"a.png", "--time-limit", "0"}, "--time-limit");
 }
 
+TEST_CASE("No output takes the place of an input or of another output") {
+  const ProgramFolder folder("import_overwriting");
+  folder.write("page.csv", "a\n");
+  for (const std::vector<std::string>& outputs : {std::vector<std::string>{"-o", "page.csv"},
+                                                  {"--csv", "./page.csv"},
+                                                  {"--overlay", "sub/../page.csv"},
+                                                  {"-o", "b.json", "--csv", "b.json"},
+                                                  {"--trace-csv", "t", "--dump-steps", "./t"}}) {
+    CAPTURE(outputs);
+    std::vector<std::string> arguments = outputs;
+    arguments.insert(arguments.begin(), "page.csv");
+    const ProgramResult run = import(folder, arguments);
+    CHECK(run.exitCode == 2);
+    CHECK_THAT(run.err, Catch::Contains("names the file of"));
+    CHECK(folder.files() == Names{"page.csv"});
+    CHECK(bytesOf((folder.path() / "page.csv").string()) == "a\n");
+  }
+}
+
 TEST_CASE("Help states units, defaults and exit codes") {
   const ProgramFolder folder("import_help");
   const ProgramResult help = import(folder, {"--help"});
