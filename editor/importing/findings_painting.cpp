@@ -242,9 +242,9 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture) {
   paintMasks(painter, picture);
   painter.setPen(QPen(pageColors().refused, 1.5));
   for (const QPolygonF& trace : picture.drawn.traces) painter.drawPolyline(picture.pageToWidget.map(trace));
+  if (picture.drawn.press) paintStroke(painter, picture, *picture.drawn.press, pageColors().press, false);
   if (picture.drawn.release)
     paintStroke(painter, picture, *picture.drawn.release, pageColors().release, true);
-  if (picture.drawn.press) paintStroke(painter, picture, *picture.drawn.press, pageColors().press, false);
   if (picture.corners) {
     if (picture.given.frame) paintImpliedGrid(painter, picture);
     paintFrame(painter, picture);

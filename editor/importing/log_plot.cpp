@@ -102,12 +102,12 @@ void LogPlot::paintEvent(QPaintEvent*) {
                    tr("Force [%1]").arg(units.forceSymbol()));
   drawPoints(painter, report.strokes.press, units, scale, colors.tracedPoint);
   if (report.strokes.release) drawPoints(painter, *report.strokes.release, units, scale, colors.tracedPoint);
+  painter.setPen(QPen(colors.press, 2));
+  painter.drawPolyline(fitLine(force.press(), units, scale));
   if (force.release()) {
     painter.setPen(QPen(colors.release, 2, Qt::DashLine));
     painter.drawPolyline(fitLine(*force.release(), units, scale));
   }
-  painter.setPen(QPen(colors.press, 2));
-  painter.drawPolyline(fitLine(force.press(), units, scale));
 }
 
 }  // namespace detent::editor

@@ -92,7 +92,9 @@ QString ResultBox::textOf(const importer::ImportReport& report) const {
     lines << tr("%1 %2").arg(operating ? tr("Operating point") : tr("Reset point"),
                              length(callout.at.displacement_mm));
   }
-  lines << tr("On the page you can drag or delete these points. Right-click the curve to add one.");
+  const bool onPage = !report.strokes.press.points_px.empty();
+  if (onPage)
+    lines << tr("On the page you can drag or delete these points. Right-click the curve to add one.");
   return lines.join('\n');
 }
 
