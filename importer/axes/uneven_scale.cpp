@@ -31,6 +31,25 @@ bool isInOrder(const std::vector<std::pair<double, double>>& labels) {
   return true;
 }
 
+/// Least difference between the values of neighbours.
+double stepOf(const std::vector<std::pair<double, double>>& labels) {
+  double step = HUGE_VAL;
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    step = std::min(step, std::abs(labels[i].second - labels[i - 1].second));
+  return step;
+}
+
+/// Returns true if at most one label is off the line of the others: misread, or beside its tick as the zero in
+/// a corner is.
+bool fitsButForOne(const std::vector<std::pair<double, double>>& labels, double fits) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    auto others = labels;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    if (offLine(others) <= fits) return true;
+  }
+  return false;
+}
+
 /// Returns true if the labels are two even scales of one step, one behind the other. `fits`: deviation from one
 /// line, as a share of the span, that may be due to places.
 bool isBroken(const std::vector<std::pair<double, double>>& labels, double fits) {
@@ -38,20 +57,18 @@ bool isBroken(const std::vector<std::pair<double, double>>& labels, double fits)
   constexpr double nearStep = 0.01;  // share of the step
   constexpr double straighter =
       0.25;  // deviation of each run, of the whole; halves of an arc have half of it
-  if (labels.size() < fewest) return false;
-  const double whole = offLine(labels);
-  if (whole <= fits) return false;
-  double step = HUGE_VAL;
-  for (std::size_t i = 1; i < labels.size(); ++i)
-    step = std::min(step, std::abs(labels[i].second - labels[i - 1].second));
+  if (labels.size() < fewest || fitsButForOne(labels, fits)) return false;
+  const double whole = offLine(labels), step = stepOf(labels);
   for (std::size_t i = 1; i < labels.size(); ++i) {
     const double steps = (labels[i].second - labels[i - 1].second) / step;
     if (std::abs(steps - std::round(steps)) > nearStep) return false;
   }
+  const auto isEven = [&](const std::vector<std::pair<double, double>>& run) {
+    return std::round(stepOf(run) / step) == 1 && offLine(run) <= straighter * whole;
+  };
   for (std::size_t split = 2; split + 2 <= labels.size(); ++split) {
     const auto at = labels.begin() + static_cast<std::ptrdiff_t>(split);
-    if (std::max(offLine({labels.begin(), at}), offLine({at, labels.end()})) <= straighter * whole)
-      return true;
+    if (isEven({labels.begin(), at}) && isEven({at, labels.end()})) return true;
   }
   return false;
 }
@@ -115,13 +132,17 @@ bool isLogarithmic(const std::vector<GridLine>& lines) {
 }
 
 std::string unevenScaleIn(const AxisLabels& labels, Axis axis) {
-  std::vector<std::pair<double, double>> certain;
+  std::vector<std::pair<double, double>> certain, all;
   for (std::size_t i = 0; i < labels.words.size(); ++i) {
-    if (labels.readings[i].empty() || labels.words[i].confidence < readWithCertainty) continue;
+    if (labels.readings[i].empty()) continue;
     const Point middle = labels.words[i].box.middle();
-    certain.emplace_back(axis == Axis::x ? middle.x : middle.y, labels.readings[i].front().value);
+    all.emplace_back(axis == Axis::x ? middle.x : middle.y, labels.readings[i].front().value);
+    if (labels.words[i].confidence >= readWithCertainty) certain.push_back(all.back());
   }
-  return unevenScaleOf(std::move(certain));
+  const std::string scale = unevenScaleOf(std::move(certain));
+  if (!scale.empty()) return scale;
+  // Two runs of one step confirm the labels that were read with doubt.
+  return unevenScaleOf(std::move(all)) == brokenScale ? brokenScale : "";
 }
 
 }  // namespace detent::importer

@@ -17,7 +17,7 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels);
 /// Returns true if gridlines or ticks stand as the logarithms of 1, 2, 3 to 10 do.
 bool isLogarithmic(const std::vector<GridLine>& lines);
 
-/// The same for the labels of an axis that were read with certainty.
+/// The kind of scale of an axis' labels that were read with certainty; a break is found among all of them.
 std::string unevenScaleIn(const AxisLabels& labels, Axis axis);
 
 }  // namespace detent::importer

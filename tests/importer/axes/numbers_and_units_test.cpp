@@ -360,16 +360,80 @@ TEST_CASE("a scale that is not linear is named") {
         "values on a logarithmic scale");
   CHECK(unevenScaleOf({{100, 0}, {200, 0.1}, {300, 0.5}, {400, 2}, {500, 2.2}}) ==
         "categories, not to scale");
-  // A break: twice the distance behind it, the same distance on from another number, the corner's zero twice.
-  CHECK(unevenScaleOf(
-            {{535, 0}, {520, 0}, {416, 20}, {313, 40}, {212, 60}, {187, 80}, {140, 100}, {95, 120}}) ==
-        "values on a scale with a break");
-  CHECK(unevenScaleOf({{0, 0}, {100, 1}, {200, 2}, {250, 7}, {350, 8}}) == "values on a scale with a break");
-  // The signs of the break were read as a digit.
-  CHECK(unevenScaleOf({{520, 0}, {416, 20}, {313, 40}, {206, 607}, {182, 807}, {118, 100}, {50, 120}}) ==
-        "values on a scale with a break");
-  CHECK(unevenScaleOf({{0, 0}, {100, 10}, {200, 20}, {300, 30}, {400, 46}}).empty());  // misread
   CHECK(unevenScaleOf({{100, 0}, {200, 20}, {301, 40}, {400, 60}}).empty());
   CHECK(unevenScaleOf({{100, 0}, {200, 20}, {300, 4}, {400, 60}}).empty());  // misread
   CHECK(unevenScaleOf({{100, 1}, {200, 10}, {300, 100}}).empty());           // too few
+}
+
+TEST_CASE("a break is two even runs of numbers, one behind the other") {
+  struct Row {
+    const char* what;
+    std::vector<std::pair<double, double>> labels;
+  };
+  const Row breaks[] = {
+      {"other distances behind it, the corner's zero twice",
+       {{535, 0}, {520, 0}, {416, 20}, {313, 40}, {212, 60}, {187, 80}, {140, 100}, {95, 120}}},
+      {"five numbers, the last two on from another number", {{0, 0}, {100, 1}, {200, 2}, {250, 7}, {350, 8}}},
+      {"five numbers, the first two before another number",
+       {{0, 0}, {100, 10}, {130, 50}, {230, 60}, {330, 70}}},
+      {"forces downwards", {{50, 0}, {150, 20}, {250, 40}, {280, 100}, {380, 120}}},
+      {"negative numbers", {{0, -40}, {100, -20}, {200, 0}, {230, 60}, {330, 80}}},
+      {"negative forces downwards", {{0, 0}, {100, -20}, {200, -40}, {230, -100}, {330, -120}}},
+      {"tenths, positions within a pixel",
+       {{0, 0}, {101, 0.1}, {199, 0.2}, {300, 0.3}, {340, 0.7}, {441, 0.8}, {540, 0.9}}},
+      {"a number of a run that could not be read",
+       {{0, 0}, {100, 10}, {300, 30}, {330, 70}, {430, 80}, {530, 90}}},
+      {"its signs read as digits",
+       {{520, 0}, {416, 20}, {313, 40}, {206, 607}, {182, 807}, {118, 100}, {50, 120}}}};
+  const Row others[] = {
+      {"four numbers: two runs go through any", {{0, 0}, {100, 1}, {150, 7}, {250, 8}}},
+      {"even, a number missing", {{0, 0}, {100, 10}, {200, 20}, {400, 40}, {500, 50}}},
+      {"even, positions within two pixels", {{0, 0}, {102, 10}, {198, 20}, {302, 30}, {400, 40}}},
+      {"even, rounded numbers", {{0, 0}, {100, 0.3}, {200, 0.7}, {300, 1}, {400, 1.3}, {500, 1.7}, {600, 2}}},
+      {"the last number misread", {{0, 0}, {100, 10}, {200, 20}, {300, 30}, {400, 46}}},
+      {"misread by whole steps", {{0, 0}, {100, 10}, {200, 20}, {300, 30}, {400, 80}}},
+      {"the point of the last number lost, others missing",
+       {{60, 0}, {205, 1}, {352, 2}, {425, 2.5}, {497, 3}, {643, 4}, {716, 45}}},
+      {"the first number misread", {{0, -40}, {100, 10}, {200, 20}, {300, 30}, {400, 40}, {500, 50}}},
+      {"a number in the middle misread",
+       {{0, 0}, {100, 10}, {200, 20}, {300, 38}, {400, 40}, {500, 50}, {600, 60}}},
+      {"three of them without their points", {{0, 0}, {100, 0.5}, {200, 1}, {300, 15}, {500, 25}, {600, 30}}},
+      {"two of them misread, not by whole steps",
+       {{0, 0}, {100, 10}, {200, 20}, {300, 30}, {500, 74}, {600, 84}}},
+      {"the zero in the corner beside its tick",
+       {{-60, 0}, {100, 1}, {200, 2}, {300, 3}, {400, 4}, {500, 5}}},
+      {"in perspective", {{0, 0}, {140, 1}, {252, 2}, {342, 3}, {414, 4}, {472, 5}}},
+      {"a position with two numbers", {{0, 0}, {100, 1}, {200, 2}, {250, 7}, {250, 8}, {350, 9}}}};
+  for (const Row& row : breaks) {
+    INFO(row.what);
+    CHECK(unevenScaleOf(row.labels) == "values on a scale with a break");
+  }
+  for (const Row& row : others) {
+    INFO(row.what);
+    CHECK(unevenScaleOf(row.labels) != "values on a scale with a break");
+  }
+  CHECK(unevenScaleOf({}).empty());
+  // Two even runs, but the evener distances of their labels say more.
+  CHECK(unevenScaleOf({{0, 0}, {100, 1}, {200, 2}, {300, 7}, {400, 8}}) == "categories, not to scale");
+  CHECK(unevenScaleOf({{0, 1}, {30, 2}, {70, 5}, {100, 10}, {130, 20}, {170, 50}, {200, 100}}) ==
+        "values on a logarithmic scale");
+}
+
+TEST_CASE("a break is seen with labels that were read with doubt, other scales without them") {
+  const auto scaleOf = [](const std::vector<std::pair<double, double>>& labels,
+                          const std::vector<double>& confidences) {
+    AxisLabels read;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const auto [y, value] = labels[i];
+      read.words.push_back({"", {60, y - 5, 80, y + 5}, confidences[i]});
+      read.readings.push_back({{value, 1}});
+    }
+    return unevenScaleIn(read, Axis::y);
+  };
+  const std::vector<std::pair<double, double>> broken{{520, 0},   {416, 20},  {313, 40}, {210, 607},
+                                                      {186, 807}, {118, 100}, {50, 120}};
+  CHECK(scaleOf(broken, {0.89, 0.96, 0.96, 0.86, 0.8, 0.96, 0.96}) == "values on a scale with a break");
+  CHECK(scaleOf({{0, 1000}, {100, 100}, {200, 10}, {300, 1}}, {0.95, 0.95, 0.95, 0.8}).empty());
+  CHECK(scaleOf({{0, 1000}, {100, 100}, {200, 10}, {300, 1}}, {0.95, 0.95, 0.95, 0.95}) ==
+        "values on a logarithmic scale");
 }

@@ -715,27 +715,39 @@ TEST_CASE("printed numbers speak for given ends or against them") {
 }
 
 TEST_CASE("an uneven scale is named as the reason even where some of its labels fit a line") {
+  struct Scale {
+    const char* says;
+    std::vector<const char*> travels;
+    std::vector<double> ticks;  // from the left edge
+  };
+  const Scale scales[] = {{"the x axis cannot be used: it has categories instead of a scale",
+                           {"0", "0.1", "0.2", "0.3", "0.8", "1.7", "2.6", "3.5", "4.6"},
+                           {0, 1, 2, 3, 4, 5, 6, 7, 8}},
+                          {"the x axis cannot be used: it is broken: its numbers go on at another distance",
+                           {"0", "0.5", "1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0"},
+                           {0, 1, 2, 3, 4, 4.5, 5.2, 5.9, 6.6}}};
   PlotStyle s;
-  auto looked = readWithoutCurves(s);
-  writeLeft(looked.view, s);
-  const char* travels[] = {"0", "0.1", "0.2", "0.3", "0.8", "1.7", "2.6", "3.5", "4.6"};
-  for (int k = 0; k <= s.xSteps; ++k) {
-    const double x = s.left + (s.right - s.left) * k / s.xSteps;
-    looked.view.texts.push_back({travels[k], {x - 15, 512, x + 15, 528}, 0});
-  }
-  looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
-  looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
   AxisHints none, given;
   given.xMin = 0, given.xMax = 4.6;
-  for (const AxisHints& hints : {none, given}) {
-    const auto axes = readAxes(looked.view, looked.frame, hints);
-    REQUIRE(axes);
-    const auto doubts = otherQuantitiesOf(axes->calibration.value);
-    REQUIRE(doubts.size() == 1);
-    CHECK(english(messageOf(doubts.front())) ==
-          "the x axis cannot be used: it has categories instead of a scale");
-    CHECK_FALSE(doubts.front().remedies.include(RemedyKind::giveXUnit));  // no unit makes it even
-    CHECK_FALSE(doubts.front().remedies.empty());
+  for (const Scale& scale : scales) {
+    INFO(scale.says);
+    auto looked = readWithoutCurves(s);
+    writeLeft(looked.view, s);
+    for (std::size_t k = 0; k < scale.travels.size(); ++k) {
+      const double x = s.left + (s.right - s.left) * scale.ticks[k] / s.xSteps;
+      looked.view.texts.push_back({scale.travels[k], {x - 15, 512, x + 15, 528}, 0});
+    }
+    looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
+    looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
+    for (const AxisHints& hints : {none, given}) {
+      const auto axes = readAxes(looked.view, looked.frame, hints);
+      REQUIRE(axes);
+      const auto doubts = otherQuantitiesOf(axes->calibration.value);
+      REQUIRE(doubts.size() == 1);
+      CHECK(english(messageOf(doubts.front())) == scale.says);
+      CHECK_FALSE(doubts.front().remedies.include(RemedyKind::giveXUnit));  // no unit makes it even
+      CHECK_FALSE(doubts.front().remedies.empty());
+    }
   }
 }
 
