@@ -139,7 +139,20 @@ struct RowReader {
   }
 };
 
-/// Returns true if an "in" is a unit, not the word: behind a digit or in brackets.
+/// Factor to mm or N of a word that is a unit of the quantity.
+std::optional<double> factorOf(std::string_view word, SpecQuantity quantity) {
+  constexpr std::array<std::string_view, 10> unitWords{"mm", "cN", "mN",  "gf", "g",
+                                                       "N",  "oz", "ozf", "in", "inch"};
+  if (std::ranges::find(unitWords, word) == unitWords.end()) return {};
+  if (measuredInNewton(quantity)) {
+    if (const auto unit = forceUnitFrom(word)) return newtonsPer(*unit);
+  } else if (const auto unit = lengthUnitFrom(word)) {
+    return millimetresPer(*unit);
+  }
+  return {};
+}
+
+/// Returns true if an "in" behind this text is a unit, not the word: behind a digit or in brackets.
 bool isInch(std::string_view before) {
   while (!before.empty() && isAsciiSpace(before.back())) before.remove_suffix(1);
   return !before.empty() && (isDigit(before.back()) || before.back() == '(' || before.back() == '[');
@@ -147,22 +160,14 @@ bool isInch(std::string_view before) {
 
 /// Factor to mm or N of the first unit in the row that fits the quantity.
 std::optional<double> factorIn(std::string_view row, SpecQuantity quantity) {
-  constexpr std::array<std::string_view, 10> unitWords{"mm", "cN", "mN",  "gf", "g",
-                                                       "N",  "oz", "ozf", "in", "inch"};
   for (RowReader reader{row}; !reader.done();) {
-    const std::string_view before = row.substr(0, reader.at);
-    const std::string symbol(reader.letters());
-    if (symbol.empty()) {
+    const std::string_view before = row.substr(0, reader.at), word = reader.letters();
+    if (word.empty()) {
       ++reader.at;
       continue;
     }
-    if (std::ranges::find(unitWords, symbol) == unitWords.end()) continue;
-    if (symbol == "in" && !isInch(before)) continue;
-    if (measuredInNewton(quantity)) {
-      if (const auto unit = forceUnitFrom(symbol)) return newtonsPer(*unit);
-    } else if (const auto unit = lengthUnitFrom(symbol)) {
-      return millimetresPer(*unit);
-    }
+    if (word == "in" && !isInch(before)) continue;
+    if (const auto factor = factorOf(word, quantity)) return factor;
   }
   return {};
 }
@@ -253,7 +258,7 @@ std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantit
     reader.skipSpaces();
     const std::string_view unitAfter = reader.letters();
     for (const std::string_view word : {unit, unitAfter})
-      if (!word.empty() && factorIn(word, quantity) != rowFactor) return {*first};
+      if (!word.empty() && factorOf(word, quantity) != rowFactor) return {*first};
     const auto spec = valuesIn(std::string_view(row).substr(from, reader.at - from));
     if (!spec || spec->nominal <= 0) return {*first};
     variants.push_back(*spec);

@@ -116,6 +116,11 @@ TEST_CASE("The word \"in\" is no inch") {
   CHECK(readPrintedSpecs(pageWith({{"3.1 总行程 in operating direction"}})).empty());
   CHECK(only({{"Total travel: 0.16 in"}}).nominal == Approx(0.16 * 25.4));
   CHECK(only({{"Total travel (in): 0.16"}}).nominal == Approx(0.16 * 25.4));
+  CHECK(only({{"Total travel [in]", "0.16"}}).nominal == Approx(0.16 * 25.4));
+  CHECK(only({{"Total travel in mm: 4.0"}}).nominal == Approx(4));
+  const auto variants = readPrintedSpecs(pageWith({{"Total travel 0.12 in", "0.16 in"}}));
+  REQUIRE(variants.size() == 2);
+  CHECK(variants.back().nominal == Approx(0.16 * 25.4));
 }
 
 TEST_CASE("Printed values are held against what the graph shows") {
