@@ -114,8 +114,7 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::strokeInPart, "stroke-in-part", words("press and release share only %1 of their travel")},
     {DoubtCode::namesNoStroke, "names-no-stroke",
      words("the legend calls one of two curves \"%1\", which means neither press nor release; the name of "
-           "the other "
-           "curve could not be read")},
+           "the other curve could not be read")},
     {DoubtCode::otherSwitchNamed, "other-switch-named",
      words("the legend also names curves of \"%1\", which were not traced")},
     {DoubtCode::pageIsScan, "page-is-scan",
