@@ -373,6 +373,7 @@ TEST_CASE("a break is two even runs of numbers, one behind the other") {
   const Row breaks[] = {
       {"other distances behind it, the corner's zero twice",
        {{535, 0}, {520, 0}, {416, 20}, {313, 40}, {212, 60}, {187, 80}, {140, 100}, {95, 120}}},
+      {"the same from the left", {{-15, 0}, {0, 0}, {104, 20}, {207, 40}, {308, 60}, {333, 80}, {380, 100}}},
       {"five numbers, the last two on from another number", {{0, 0}, {100, 1}, {200, 2}, {250, 7}, {350, 8}}},
       {"five numbers, the first two before another number",
        {{0, 0}, {100, 10}, {130, 50}, {230, 60}, {330, 70}}},
@@ -403,7 +404,7 @@ TEST_CASE("a break is two even runs of numbers, one behind the other") {
       {"the zero in the corner beside its tick",
        {{-60, 0}, {100, 1}, {200, 2}, {300, 3}, {400, 4}, {500, 5}}},
       {"in perspective", {{0, 0}, {140, 1}, {252, 2}, {342, 3}, {414, 4}, {472, 5}}},
-      {"a position with two numbers", {{0, 0}, {100, 1}, {200, 2}, {250, 7}, {250, 8}, {350, 9}}}};
+      {"two numbers at one position", {{0, 0}, {100, 1}, {200, 2}, {250, 7}, {250, 8}}}};
   for (const Row& row : breaks) {
     INFO(row.what);
     CHECK(unevenScaleOf(row.labels) == "values on a scale with a break");

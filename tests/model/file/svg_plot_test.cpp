@@ -50,6 +50,8 @@ TEST_CASE("a plot names its axes, units and strokes, and calls out its points") 
   CHECK_THAT(svg, Catch::Contains("55 cN at 1.3 mm"));
   CHECK(countOf(svg, "class=\"press\"") == 1);
   CHECK(countOf(svg, "class=\"release\"") == 1);
+  // The dashes lie above the press: both are seen in their common bottom-out.
+  CHECK(svg.find("class=\"release\"") > svg.find("class=\"press\""));
   CHECK(svg == svgFrom(*tactileButton(), style));
   style.callouts = false;
   CHECK(svgFrom(*tactileButton(), style).find("Tactile point") == std::string::npos);
