@@ -68,6 +68,7 @@ class CanvasTest : public QObject {
   void themeChangeRecolours();
   void residualsAreDrawnOnDemand();
   void fingerIsDrawnInBothViews();
+  void bothStrokesAreSeenWhereTheyCoincide();
   void theLegendKeepsOffTheStrokes();
   void labelsKeepOffTheBottomOut();
   void wordsOfANoteLeaveItsNumberFree();
@@ -304,6 +305,34 @@ void CanvasTest::theLegendKeepsOffTheStrokes() {
     seen += std::abs(there.red() - pressColor.red()) + std::abs(there.blue() - pressColor.blue()) < 120;
   }
   QVERIFY2(seen > 0.8 * all, qPrintable(QString("%1 of %2 places of the press are seen").arg(seen).arg(all)));
+}
+
+// The dashed release is drawn over the press: between its dashes the press is seen.
+void CanvasTest::bothStrokesAreSeenWhereTheyCoincide() {
+  std::vector<ButtonState> states = require(linearButton()).states();
+  const StrokeCurve press = states[0].graph.press();
+  const auto graph = ForceGraph::fromCurves(press, press);
+  QVERIFY(graph.ok());
+  states[0].graph = *graph;
+  WorkspaceRig rig(require(Button::fromStates("coinciding", states)));
+  GraphCanvas canvas(rig.document, rig.settings);
+  canvas.setHandlesShown(false);
+  canvas.resize(600, 400);
+  const QImage image = canvas.grab().toImage();
+  const PlotMapping map = canvas.mapping();
+  const auto seen = [&](const QColor& color) {
+    int count = 0;
+    for (double at_mm = 1; at_mm < 3; at_mm += 0.02) {
+      const QColor there = image.pixelColor(map.toPixel(at_mm, press.force_N(at_mm)).toPoint());
+      count += std::abs(there.red() - color.red()) + std::abs(there.green() - color.green()) +
+                   std::abs(there.blue() - color.blue()) <
+               60;
+    }
+    return count;
+  };
+  const int ofPress = seen(canvas.colors().press), ofRelease = seen(canvas.colors().release);
+  QVERIFY2(ofPress >= 10 && ofRelease >= 30,
+           qPrintable(QString("press %1, release %2").arg(ofPress).arg(ofRelease)));
 }
 
 // Labels cover neither the press, also where it is steep, nor the line at the end of the travel.
