@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
+
+#include "model/sections.h"
 
 namespace detent {
 namespace {
@@ -15,14 +18,24 @@ void appendRounded(std::string& out, double value) {
   out.append(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 12).ptr);
 }
 
-void appendSample(std::string& csv, const char* stroke, const StrokeCurve& curve, double at_mm) {
-  // The last step may be rounded beyond the end by less than the page was read to.
+// Appends one row, or two in the order travelled where the curve is vertical.
+void appendSample(std::string& csv, const ForceGraph& graph, Stroke stroke, double at_mm, bool isLast) {
+  const StrokeCurve& curve = graph.curve(stroke);
+  // The last step may be rounded away from the end by less than the page was read to.
   if (at_mm < curve.start_mm() || at_mm > curve.end_mm() + endRounding_mm) return;
-  csv += stroke;
-  appendRounded(csv, at_mm);
-  csv += ',';
-  appendRounded(csv, curve.force_N(std::min(at_mm, curve.end_mm())));
-  csv += '\n';
+  const bool isEnd = isLast && at_mm > curve.end_mm() - endRounding_mm;
+  const double on_mm = isEnd ? curve.end_mm() : at_mm;
+  std::pair forces_N(curve.forceBefore_N(on_mm), curve.force_N(on_mm));
+  if (stroke == Stroke::release) std::swap(forces_N.first, forces_N.second);
+  const auto append = [&](double force_N) {
+    csv += stroke == Stroke::press ? "press," : "release,";
+    appendRounded(csv, at_mm);
+    csv += ',';
+    appendRounded(csv, force_N);
+    csv += '\n';
+  };
+  append(forces_N.first);
+  if (forces_N.second != forces_N.first) append(forces_N.second);
 }
 
 Failure refusal(const Message& problem, const Message& remedy) {
@@ -47,6 +60,13 @@ Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& grap
   const bool isRounded = std::abs(end_mm - next_mm) <= std::min(endRounding_mm, 0.1 * step_mm);
   if (isRounded && !travels_mm.empty() && travels_mm.back() == next_mm) travels_mm.pop_back();
   travels_mm.push_back(isRounded ? next_mm : end_mm);
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    if (stroke == Stroke::release && !graph.release()) continue;
+    const double bottomOut_mm = bottomOutOf(graph.curve(stroke)).displacement_mm;
+    const auto next = std::lower_bound(travels_mm.begin(), travels_mm.end(), bottomOut_mm);
+    if (next != travels_mm.end() && *next != bottomOut_mm && bottomOut_mm < end_mm)
+      travels_mm.insert(next, bottomOut_mm);
+  }
   return travels_mm;
 }
 
@@ -63,10 +83,11 @@ Result<std::vector<double>> travelsWithin(std::vector<double> travels_mm, const 
 
 std::string csvAtTravels(const std::vector<double>& travels_mm, const ForceGraph& graph) {
   std::string csv = "stroke,displacement_mm,force_N\n";
-  for (const double at_mm : travels_mm) appendSample(csv, "press,", graph.press(), at_mm);
+  const double last_mm = *std::max_element(travels_mm.begin(), travels_mm.end());
+  for (const double at_mm : travels_mm) appendSample(csv, graph, Stroke::press, at_mm, at_mm == last_mm);
   if (graph.release())
     for (auto at = travels_mm.rbegin(); at != travels_mm.rend(); ++at)
-      appendSample(csv, "release,", *graph.release(), *at);
+      appendSample(csv, graph, Stroke::release, *at, *at == last_mm);
   return csv;
 }
 

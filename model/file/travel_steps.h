@@ -13,7 +13,8 @@ namespace detent {
 /// Limit of travels for one table.
 inline constexpr std::size_t mostTravelSteps = 100000;
 
-/// Returns each multiple of `step_mm` that the press passes, and the press's end. Failure wrongUsage: the
+/// Returns each multiple of `step_mm` that the press passes, where the bottom-outs of both strokes begin, and
+/// the press's end, increasing. Failure wrongUsage: the
 /// step is not above 0, or gives more than mostTravelSteps travels.
 Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& graph);
 
@@ -22,7 +23,7 @@ Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& grap
 Result<std::vector<double>> travelsWithin(std::vector<double> travels_mm, const ForceGraph& graph);
 
 /// Returns CSV with the header `stroke,displacement_mm,force_N`, in the order travelled if `travels_mm`
-/// increase; 12 digits. A stroke has no row outside its own travel.
+/// (one or more) increase; 12 digits. A stroke has no row outside its travel, and two where it is vertical.
 std::string csvAtTravels(const std::vector<double>& travels_mm, const ForceGraph& graph);
 
 }  // namespace detent

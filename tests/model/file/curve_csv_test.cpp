@@ -69,6 +69,37 @@ TEST_CASE("even steps end at the step that the end was printed as") {
   CHECK(*coarse_mm == std::vector<double>{0, 1.5, 3, 3.99976856638});
 }
 
+TEST_CASE("a table at even steps holds both ends of each bottom-out") {
+  struct Case {
+    std::vector<Knot> press, release;
+    const char *pressEnds, *releaseBegins;
+  };
+  const Case cases[] = {
+      {{{0, 0.2, 0.1, 0.1}, {4, 0.6, 0.1, 0}, {4, 1, 0, 0}},  // vertical, at a step
+       {{0, 0.1, 0.1, 0.1}, {4, 0.5, 0.1, 0}, {4, 1, 0, 0}},
+       "press,3,0.5\npress,4,0.6\npress,4,1\n",
+       "release,4,1\nrelease,4,0.5\nrelease,3,0.4\n"},
+      {{{0, 0.2, 0.1, 0.1}, {4.0003, 0.60003, 0.1, 0}, {4.0003, 1, 0, 0}},  // as read off a page
+       {{0, 0.1, 0.1, 0.1}, {4.0003, 0.50003, 0.1, 0}, {4.0003, 1, 0, 0}},
+       "press,3,0.5\npress,4,0.60003\npress,4,1\n",
+       "release,4,1\nrelease,4,0.50003\nrelease,3,0.4\n"},
+      {{{0, 0.2, 0.1, 0.1}, {3.5, 0.55, 0.1, 5}, {3.6, 1.05, 5, 0}},  // steep, between steps
+       {{0, 0.1, 0.1, 0.1}, {3.4, 0.44, 0.1, 3.05}, {3.6, 1.05, 3.05, 0}},
+       "press,3.5,0.55\npress,3.6,1.05\n",
+       "release,3.4,0.44\nrelease,3,0.4\n"},
+  };
+  for (const Case& each : cases) {
+    const auto graph = ForceGraph::fromCurves(StrokeCurve::fromKnots(each.press).value(),
+                                              StrokeCurve::fromKnots(each.release).value());
+    REQUIRE(graph.ok());
+    const auto travels_mm = travelsAtEach(1, *graph);
+    REQUIRE(travels_mm.ok());
+    const std::string csv = csvAtTravels(*travels_mm, *graph);
+    CHECK_THAT(csv, Catch::Contains(each.pressEnds));
+    CHECK_THAT(csv, Catch::Contains(each.releaseBegins));
+  }
+}
+
 TEST_CASE("a press alone is a graph without release") {
   const auto graph = read("press,0,0\npress,1,1\n");
   REQUIRE(graph.ok());
