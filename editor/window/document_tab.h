@@ -9,6 +9,7 @@
 #include "editor/document/button_document.h"
 #include "editor/document/view_settings.h"
 #include "editor/panels/graph_workspace.h"
+#include "editor/window/magnetic_dialog.h"
 #include "editor/window/notice_bar.h"
 #include "model/validation.h"
 
@@ -25,6 +26,8 @@ class DocumentTab : public QWidget {
   ButtonDocument& document() { return *document_; }
   GraphWorkspace& workspace() { return *workspace_; }
   NoticeBar& notices() { return *notices_; }
+  /// The last choice of an export for a magnetic keyboard; not kept in the file.
+  MagneticChoice& magneticChoice() { return magneticChoice_; }
   QWidget* valuesPanel();
   QWidget* inspector();
   QWidget* historyPanel();
@@ -42,6 +45,7 @@ class DocumentTab : public QWidget {
   ViewSettings& settings_;
   NoticeBar* notices_;
   GraphWorkspace* workspace_;
+  MagneticChoice magneticChoice_;
   void showPlace(const WarningPlace& place);
 
   QPointer<QWidget> values_, inspector_, history_, checks_, annotations_;

@@ -160,7 +160,8 @@ void ExportController::device(DocumentTab& tab) {
 }
 
 void ExportController::magneticKey(DocumentTab& tab) {
-  const auto header = at_.prompts.magneticKey(&at_.window, tab.document().button(), at_.view.units());
+  const auto header =
+      at_.prompts.magneticKey(&at_.window, tab.document().button(), at_.view.units(), tab.magneticChoice());
   if (!header) return;
   write(tab, tr("Export for a magnetic keyboard"), tr("C header") + " (*.h)", ".h", [&](const QString& path) {
     return writeTextFileAtomically(QFile::encodeName(path).toStdString(), *header);

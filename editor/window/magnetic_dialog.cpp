@@ -30,12 +30,12 @@ constexpr double thin_px = 1, curve_px = 2, closed_px = 4, eventSize_px = 11;
 
 }  // namespace
 
-MagneticDialog::MagneticDialog(Button button, const DisplayUnits& units, QWidget* parent)
+MagneticDialog::MagneticDialog(Button button, const DisplayUnits& units, MagneticChoice choice,
+                               QWidget* parent)
     : QDialog(parent),
       button_(std::move(button)),
       units_(units),
-      sensor_(playback::MagneticSensor::assumed(button_.states().front().graph.travel_mm(),
-                                                playback::usualNoise)),
+      choice_(std::move(choice)),
       readings_(wrappingLabel("magneticReadings")),
       events_(wrappingLabel("magneticEvents")),
       refusal_(wrappingLabel("magneticRefusal")),
@@ -64,16 +64,14 @@ MagneticDialog::MagneticDialog(Button button, const DisplayUnits& units, QWidget
 
 QLayout* MagneticDialog::choices() {
   const ButtonState& state = button_.states().front();
-  const MagneticKeySettings first =
-      playback::settingsFor(state, state.operatingPoint_mm.value_or(state.graph.travel_mm() / 2));
+  const double usual_mm = state.operatingPoint_mm.value_or(state.graph.travel_mm() / 2);
   const playback::RapidTrigger usual;
   auto* form = new QFormLayout;
   actuate_ = lengthField(*form, "magneticActuate", tr("&Actuation point:"),
-                         tr("Displacement at which the key closes (switches on)"), first.actuate_mm);
+                         tr("Displacement at which the key closes (switches on)"), usual_mm);
   reset_ = lengthField(*form, "magneticReset", tr("&Release point:"),
-                       tr("Displacement at which the key opens on its way up"), first.reset_mm);
-  connect(actuate_, &QuantityField::valueChanged, this, &MagneticDialog::moveReset);
-  connect(reset_, &QuantityField::valueChanged, this, [this] { resetTyped_ = true; });
+                       tr("Displacement at which the key opens on its way up"),
+                       playback::settingsFor(state, actuate_->value()).reset_mm);
   rapid_ = checkBox(*form, "magneticRapid", tr("Rapid &trigger"),
                     tr("The key opens and closes as the movement changes direction"));
   press_ = lengthField(*form, "magneticPress", tr("&Press distance:"),
@@ -90,13 +88,13 @@ QLayout* MagneticDialog::choices() {
   bottom_ = lengthField(*form, "magneticBottom", tr("&Bottom dead zone:"),
                         tr("Last part of the travel, in which the key is always closed"), 0);
   down_ = lengthField(*form, "magneticDown", tr("Presses go do&wn to:"),
-                      tr("How deep both presses of the example movement go"), first.travel_mm);
-  up_ = lengthField(*form, "magneticUp", tr("and &up to:"),
-                    tr("Displacement at which the second press of the example movement begins"),
-                    first.actuate_mm / 2);
+                      tr("How deep both presses of the example movement go"), state.graph.travel_mm());
+  up_ =
+      lengthField(*form, "magneticUp", tr("and &up to:"),
+                  tr("Displacement at which the second press of the example movement begins"), usual_mm / 2);
   auto* read = plainButton("magneticRead", tr("Readin&gs…"),
                            tr("Load the readings of your sensor over the travel from a CSV file"));
-  readings_->setText(tr("No readings loaded: a magnet of the usual size is assumed."));
+  showReadings();
   auto* format = wrappingLabel(QStringLiteral("magneticFormat"));
   format->setText(tr("For your own sensor: a CSV file of two columns, the displacement from rest in mm, "
                      "increasing, and the reading in counts of your converter, which only rises or only "
@@ -118,10 +116,12 @@ QLayout* MagneticDialog::choices() {
 
 // Until it is typed, the release point keeps the button's own distance to the actuation point, or the usual
 // one.
-void MagneticDialog::moveReset() {
-  if (resetTyped_ || !actuate_->acceptable()) return;
-  const QSignalBlocker silent(reset_);
-  reset_->setValue(playback::settingsFor(button_.states().front(), actuate_->value()).reset_mm);
+void MagneticDialog::take(const QuantityField& field) {
+  choice_.typed[field.objectName()] = field.value();
+  if (&field == actuate_ && !choice_.typed.contains(reset_->objectName())) {
+    const QSignalBlocker silent(reset_);
+    reset_->setValue(playback::settingsFor(button_.states().front(), actuate_->value()).reset_mm);
+  }
   showChoice();
 }
 
@@ -142,10 +142,10 @@ QuantityField* MagneticDialog::lengthField(QFormLayout& form, const char* name, 
                                            const QString& tip, double value_mm) {
   auto* field = described(new QuantityField(Quantity::length, units_), QString::fromLatin1(name), tip, tip);
   field->setRange({0, button_.states().front().graph.travel_mm()});
-  field->setValue(value_mm);
+  field->setValue(choice_.typed.value(field->objectName(), value_mm).toDouble());
   form.addRow(label, field);
   fields_.push_back(field);
-  connect(field, &QuantityField::valueChanged, this, &MagneticDialog::showChoice);
+  connect(field, &QuantityField::valueChanged, this, [this, field] { take(*field); });
   connect(field, &QuantityField::refusalChanged, this, &MagneticDialog::showChoice);
   return field;
 }
@@ -153,8 +153,12 @@ QuantityField* MagneticDialog::lengthField(QFormLayout& form, const char* name, 
 QCheckBox* MagneticDialog::checkBox(QFormLayout& form, const char* name, const QString& text,
                                     const QString& tip) {
   auto* box = described(new QCheckBox(text), QString::fromLatin1(name), tip);
+  box->setChecked(choice_.typed.value(box->objectName()).toBool());
   form.addRow(box);
-  connect(box, &QCheckBox::toggled, this, &MagneticDialog::showChoice);
+  connect(box, &QCheckBox::toggled, this, [this, box](bool on) {
+    choice_.typed[box->objectName()] = on;
+    showChoice();
+  });
   return box;
 }
 
@@ -173,14 +177,23 @@ std::vector<double> MagneticDialog::turns_mm() const {
 }
 
 std::string MagneticDialog::header() const {
-  return playback::keyHeaderFrom(button_, sensor_, settings(), {});
+  const double travel_mm = button_.states().front().graph.travel_mm();
+  const auto assumed = playback::MagneticSensor::assumed(travel_mm, playback::usualNoise);
+  return playback::keyHeaderFrom(button_, choice_.sensor.value_or(assumed), settings(), {});
 }
 
 void MagneticDialog::readSensor(const QString& file) {
-  auto sensor = playback::MagneticSensor::fromCsv(QFile::encodeName(file).toStdString(), sensor_.noise());
-  readings_->setText(sensor ? tr("Readings from %1.").arg(QFileInfo(file).fileName())
-                            : sentenceOf(sensor.failure(), units_));
-  if (sensor) sensor_ = *std::move(sensor);
+  auto sensor =
+      playback::MagneticSensor::fromCsv(QFile::encodeName(file).toStdString(), playback::usualNoise);
+  if (!sensor) return readings_->setText(sentenceOf(sensor.failure(), units_));
+  choice_.sensor = *std::move(sensor);
+  choice_.sensorFile = QFileInfo(file).fileName();
+  showReadings();
+}
+
+void MagneticDialog::showReadings() {
+  readings_->setText(choice_.sensor ? tr("Readings from %1.").arg(choice_.sensorFile)
+                                    : tr("No readings loaded: a magnet of the usual size is assumed."));
 }
 
 QString MagneticDialog::refusal() const {

@@ -10,7 +10,6 @@
 #include <QPushButton>
 
 #include "editor/library/template_dialog.h"
-#include "editor/window/magnetic_dialog.h"
 
 namespace detent::editor {
 namespace {
@@ -84,9 +83,11 @@ std::optional<GraphExport> Prompts::graphExport(QWidget* parent, const Button& b
 }
 
 std::optional<std::string> Prompts::magneticKey(QWidget* parent, const Button& button,
-                                                const DisplayUnits& units) {
-  MagneticDialog dialog(button, units, parent);
-  return dialog.exec() == QDialog::Accepted ? std::optional(dialog.header()) : std::nullopt;
+                                                const DisplayUnits& units, MagneticChoice& choice) {
+  MagneticDialog dialog(button, units, choice, parent);
+  const bool accepted = dialog.exec() == QDialog::Accepted;
+  choice = dialog.choice();  // also of a cancelled export: people study the key, then edit the button
+  return accepted ? std::optional(dialog.header()) : std::nullopt;
 }
 
 bool Prompts::printer(QWidget* parent, QPrinter& printer) {

@@ -9,6 +9,7 @@
 
 #include "editor/window/device_export_dialog.h"
 #include "editor/window/graph_export_dialog.h"
+#include "editor/window/magnetic_dialog.h"
 #include "model/button.h"
 
 class QPrinter;
@@ -43,9 +44,10 @@ class Prompts {
   /// Asks for the settings of the graph's picture.
   virtual std::optional<GraphExport> graphExport(QWidget* parent, const Button& button,
                                                  const DisplayUnits& units);
-  /// Asks for the settings of a magnetic keyboard's key; returns the C header.
+  /// Asks for the settings of a magnetic keyboard's key, initially `choice`, which becomes what was chosen
+  /// even if it is cancelled; returns the C header.
   virtual std::optional<std::string> magneticKey(QWidget* parent, const Button& button,
-                                                 const DisplayUnits& units);
+                                                 const DisplayUnits& units, MagneticChoice& choice);
   /// Requests the printer; false: cancelled.
   virtual bool printer(QWidget* parent, QPrinter& printer);
   /// Asks for a text, initially `text`; nullopt: cancelled.

@@ -7,7 +7,9 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
+#include <utility>
 
+#include "model/edits.h"
 #include "model/file/button_file.h"
 #include "tests/editor/window_tests.h"
 
@@ -66,6 +68,62 @@ class MagneticDialogTest : public QObject {
     type(dialog, "magneticReset", "0.9");
     type(dialog, "magneticActuate", "1.4");
     QCOMPARE(dialog.settings().reset_mm, 0.9);
+  }
+
+  // As it stands after typing, cancelling and opening again; what was not typed follows the button.
+  void theChoiceComesBack() {
+    QTemporaryDir folder;
+    QFile readings(folder.filePath("mine.csv"));
+    QVERIFY(readings.open(QIODevice::WriteOnly));
+    readings.write("displacement_mm,reading\n0,100\n4,900\n");
+    readings.close();
+    MagneticDialog first(magneticSample("C"), {});
+    first.show();
+    box(first, "magneticRapid")->click();
+    box(first, "magneticContinuous")->click();
+    const std::pair<const char*, double> typed_mm[] = {
+        {"magneticActuate", 1.7}, {"magneticPress", 0.3}, {"magneticRelease", 0.4}, {"magneticTop", 0.2},
+        {"magneticBottom", 0.6},  {"magneticDown", 3.2},  {"magneticUp", 0.8}};
+    for (const auto& [name, value_mm] : typed_mm) type(first, name, QString::number(value_mm));
+    first.readSensor(readings.fileName());
+
+    MagneticDialog again(magneticSample("C"), {}, first.choice());
+    again.show();
+    for (const auto& [name, value_mm] : typed_mm) QCOMPARE(field(again, name)->value(), value_mm);
+    QVERIFY(field(again, "magneticPress")->isEnabled());
+    QCOMPARE(said(again, "magneticEvents"), said(first, "magneticEvents"));
+    QCOMPARE(said(again, "magneticReadings"), "Readings from mine.csv.");
+    QCOMPARE(header(again), header(first));
+    type(again, "magneticActuate", "1.5");
+    QVERIFY(std::abs(again.settings().reset_mm - 0.9) < 1e-9);  // still follows, 0.6 mm above
+
+    const Button softer = *scaleTravel(magneticSample("C"), 1.5);
+    MagneticDialog edited(softer, {}, first.choice());
+    QCOMPARE(edited.settings().actuate_mm, 1.7);
+    QCOMPARE(edited.settings().travel_mm, 6.0);
+    QVERIFY(std::abs(edited.settings().reset_mm - 0.8) < 1e-9);  // the button's distance is 0.9 mm now
+  }
+
+  // Curves and marks are children that a drawing makes anew.
+  void aChangeDrawsOnce() {
+    MagneticDialog dialog(magneticSample("C"), {});
+    dialog.show();
+    struct Count : QObject {
+      int made = 0;
+      bool eventFilter(QObject*, QEvent* event) override {
+        made += event->type() == QEvent::ChildAdded;
+        return false;
+      }
+    } count;
+    dialog.findChild<QWidget*>("magneticPlot")->installEventFilter(&count);
+    auto* line = field(dialog, "magneticActuate")->findChild<QLineEdit*>();
+    line->selectAll();
+    QTest::keyClicks(line, "1");
+    const int afterTyping = std::exchange(count.made, 0);
+    QEvent event(QEvent::PaletteChange);
+    QCoreApplication::sendEvent(&dialog, &event);  // draws the same once
+    QVERIFY(count.made > 0);
+    QCOMPARE(afterTyping, count.made);
   }
 
   void whatContradictsIsRefusedWithItsReason() {

@@ -4,6 +4,8 @@
 
 #include <deque>
 #include <QPrinter>
+#include <utility>
+#include <vector>
 
 #include "editor/window/prompts.h"
 #include "model/templates.h"
@@ -22,6 +24,8 @@ class ScriptedPrompts : public Prompts {
   bool takesSuggestions = false;  ///< files are saved where the editor proposes
   std::deque<DeviceChoice> deviceAnswers;
   std::deque<std::string> magneticAnswers;
+  MagneticChoice magneticTyped;                 ///< typed each time
+  std::vector<MagneticChoice> magneticChoices;  ///< each dialogue's first ones
   std::deque<GraphExport> graphAnswers;
   int unexpected = 0;
   QStringList lastUnsaved;
@@ -63,7 +67,9 @@ class ScriptedPrompts : public Prompts {
     return next(graphAnswers, {});
   }
 
-  std::optional<std::string> magneticKey(QWidget*, const Button&, const DisplayUnits&) override {
+  std::optional<std::string> magneticKey(QWidget*, const Button&, const DisplayUnits&,
+                                         MagneticChoice& choice) override {
+    magneticChoices.push_back(std::exchange(choice, magneticTyped));
     return magneticAnswers.empty() ? std::nullopt : std::optional(next(magneticAnswers, {}));
   }
 

@@ -671,11 +671,15 @@ class WindowTest : public QObject {
     QFile key(at("key.h"));
     QVERIFY(key.open(QIODevice::ReadOnly));
     QCOMPARE(key.readAll(), "#define DETENT_RAPID_UM 100\n");
-    rig.action("exportMagnetic")->trigger();  // cancelled
+    rig.prompts.magneticTyped.typed = {{"magneticActuate", 1.2}};
+    for (int again = 0; again < 2; ++again) rig.action("exportMagnetic")->trigger();  // cancelled
     QVERIFY(rig.notices().isEmpty());
     // If a format has no room for the press, this is reported before anything is written.
+    QCOMPARE(rig.prompts.magneticChoices.back().typed, rig.prompts.magneticTyped.typed);
     rig.window->files().open({sample("buttons/latch.button.json")});
     DeviceExportDialog latch(rig.document().button());
+    rig.action("exportMagnetic")->trigger();  // another button has its own choice
+    QVERIFY(rig.prompts.magneticChoices.back().typed.isEmpty());
     auto* formats = latch.findChild<QComboBox*>("deviceFormat");
     formats->setCurrentIndex(formats->findText("OpenXR", Qt::MatchContains));
     const auto cut = [&] { return latch.findChild<QLabel*>("deviceLoss")->text().contains("cut off"); };
