@@ -112,12 +112,12 @@ void DisplacementForceView::drawContent(QPainter& painter, const PlotMapping& ma
       painter.drawEllipse(turned.pixel(at->displacement_mm, at->force_N), 9, 9);
     }
   }
+  painter.restore();
   if (finger_) {
     painter.setPen(QPen(colors().background, 2));
     painter.setBrush(finger_->stroke == Stroke::press ? colors().press : colors().release);
-    painter.drawEllipse(turned.pixel(finger_->displacement_mm, finger_->force_N), 7, 7);
+    painter.drawEllipse(map.inClip(turned.pixel(finger_->displacement_mm, finger_->force_N)), 7, 7);
   }
-  painter.restore();
 }
 
 void DisplacementForceView::resizeEvent(QResizeEvent* event) {

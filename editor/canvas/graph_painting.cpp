@@ -802,7 +802,7 @@ void paintMeasurement(QPainter& painter, const PlotMapping& map, const GraphScen
 
 void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   const FingerPosition& finger = *scene.finger;
-  const QPointF at = map.toPixel(finger.displacement_mm, finger.force_N);
+  const QPointF at = map.inClip(map.toPixel(finger.displacement_mm, finger.force_N));
   const QColor tagColor = finger.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
   painter.setPen(QPen(withAlpha(tagColor, 0.5), 1));
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
@@ -976,8 +976,8 @@ void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   paintSpeedLabels(painter, map, scene);
   paintMarks(painter, map, scene, withSteepLines(strokes_px, map, scene), kept);
   paintFeedback(painter, map, scene);
-  if (scene.finger) paintFinger(painter, map, scene);
   painter.restore();
+  if (scene.finger) paintFinger(painter, map, scene);  // whole, also at the edge
 }
 
 }  // namespace detent::editor

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/canvas/plot_mapping.h"
 
+#include <algorithm>
+
 namespace detent::editor {
 
 QRectF PlotMapping::shown() const {
   const QPointF lowest = toPlot(clip_px.bottomLeft()), highest = toPlot(clip_px.topRight());
   return {lowest.x(), lowest.y(), highest.x() - lowest.x(), highest.y() - lowest.y()};
+}
+
+QPointF PlotMapping::inClip(QPointF px) const {
+  return {std::clamp(px.x(), clip_px.left(), clip_px.right()),
+          std::clamp(px.y(), clip_px.top(), clip_px.bottom())};
 }
 
 QTransform PlotMapping::transform() const {

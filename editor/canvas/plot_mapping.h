@@ -25,6 +25,8 @@ struct PlotMapping {
   }
   /// Values at the edges of the clip: left, right (x) and bottom, top (y) as a rectangle with positive size.
   QRectF shown() const;
+  /// The pixel position in the clip that is nearest to `px`.
+  QPointF inClip(QPointF px) const;
   /// Plot coordinates to pixels.
   QTransform transform() const;
   /// The surroundings of `at` (plot coordinates) enlarged `times`, drawn into `lens_px` with `at` in the

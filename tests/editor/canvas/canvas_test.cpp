@@ -277,6 +277,13 @@ void CanvasTest::fingerIsDrawnInBothViews() {
   rig.workspace.showFinger(FingerPosition{0.8, 0.9, Stroke::press});
   QCOMPARE(pixelOf(rig.canvas(), rig.pixel(0.8, 0.9)), rig.canvas().colors().press);
   QCOMPARE(pixelOf(*reverse, reverse->mapping().toPixel(0.9, 0.8)), reverse->colors().press);
+  // A finger that presses harder than the plot is high stays at its edge, and is whole there.
+  rig.workspace.showFinger(FingerPosition{0, 99, Stroke::press});
+  const QPointF corner = rig.canvas().mapping().inClip(rig.pixel(0, 99));
+  for (const QPointF& aside : {QPointF(-4, 2), QPointF(4, -2)})
+    QCOMPARE(pixelOf(rig.canvas(), corner + aside), rig.canvas().colors().press);
+  const QPointF turned = reverse->mapping().inClip(reverse->mapping().toPixel(99, 0));
+  QCOMPARE(pixelOf(*reverse, turned + QPointF(3, 1)), reverse->colors().press);
   rig.workspace.showFinger({});
   QVERIFY(pixelOf(rig.canvas(), rig.pixel(0.8, 0.9)) != rig.canvas().colors().press);
 }
