@@ -113,30 +113,30 @@ class ScaleTool : public PageTool {
   std::optional<Target> target_;
 };
 
-/// A rectangle from corner to corner; subclasses decide its use.
+/// A rectangle from corner to corner; subclasses decide its use. What is shown is what is used.
 class RectangleTool : public PageTool {
  public:
   using PageTool::PageTool;
   bool press(const QMouseEvent& event) override {
     if (event.button() != Qt::LeftButton) return false;
-    from_ = to_ = view_.onPage(view_.toPage(event.position()));
+    from_ = view_.onPage(view_.toPage(event.position()));
+    box_ = boxOf(*from_, *from_);
     return true;
   }
   bool move(const QMouseEvent& event) override {
     if (!from_) return false;
-    to_ = view_.onPage(view_.toPage(event.position()));
+    box_ = boxTo(event);
     view_.setMagnifier(event.position());
     view_.update();
     return true;
   }
   bool release(const QMouseEvent& event) override {
     if (!from_) return false;
-    to_ = view_.onPage(view_.toPage(event.position()));
-    const importer::Box box = boxOf(*from_, to_);
-    const QRectF seen = QRectF(view_.toWidget(*from_), view_.toWidget(to_)).normalized();
+    box_ = boxTo(event);
+    const QRectF seen = shown();
     cancel();
     constexpr double least_px = 4;
-    if (seen.width() >= least_px && seen.height() >= least_px) take(box);
+    if (seen.width() >= least_px && seen.height() >= least_px) take(box_);
     return true;
   }
   bool busy() const override { return from_.has_value(); }
@@ -149,16 +149,27 @@ class RectangleTool : public PageTool {
     if (!from_) return;
     painter.setPen(QPen(view_.colors().refused, 1.5, Qt::DashLine));
     painter.setBrush(QColor(213, 94, 0, 40));
-    painter.drawRect(QRectF(view_.toWidget(*from_), view_.toWidget(to_)).normalized());
+    painter.drawRect(shown());
   }
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
 
  protected:
   virtual void take(const importer::Box& box) = 0;
+  /// The box that is meant by the drawn one.
+  virtual importer::Box meant(const importer::Box& drawn) const { return drawn; }
 
  private:
+  // Ctrl draws freely, as it does on the graph of a button.
+  importer::Box boxTo(const QMouseEvent& event) const {
+    const importer::Box drawn = boxOf(*from_, view_.onPage(view_.toPage(event.position())));
+    return event.modifiers() & Qt::ControlModifier ? drawn : meant(drawn);
+  }
+  QRectF shown() const {
+    return QRectF(view_.toWidget({box_.x0, box_.y0}), view_.toWidget({box_.x1, box_.y1})).normalized();
+  }
+
   std::optional<importer::Point> from_;
-  importer::Point to_;
+  importer::Box box_;
 };
 
 class MaskBoxTool : public RectangleTool {
@@ -252,12 +263,13 @@ class DrawFrameTool : public RectangleTool {
   QString hint() const override {
     return tr(
         "Drag across the area in which the curves are drawn, from corner to corner. Over the current plot "
-        "frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.");
+        "frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines close to them; Ctrl "
+        "draws freely.");
   }
 
  private:
-  void take(const importer::Box& drawn) override {
-    const importer::Box box = LineSnap(view_).snapped(drawn);
+  importer::Box meant(const importer::Box& drawn) const override { return LineSnap(view_).snapped(drawn); }
+  void take(const importer::Box& box) override {
     const FrameCorners frame{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
     const auto shown = view_.shownCorners();
     if (view_.state().current() && (!shown || isSameGraph(frame, *shown))) {

@@ -3933,8 +3933,8 @@ Lizenz: %3</translation>
         <translation>Rahmen zeichnen</translation>
     </message>
     <message>
-        <source>Drag across the area in which the curves are drawn, from corner to corner. Over the current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines.</source>
-        <translation>Ziehen Sie über den Bereich, in dem die Kurven gezeichnet sind, von Ecke zu Ecke. Über dem aktuellen Rahmen ersetzt der neue diesen; an anderer Stelle kommt ein Graph hinzu. Die Kanten rasten an Linien ein.</translation>
+        <source>Drag across the area in which the curves are drawn, from corner to corner. Over the current plot frame, the new one replaces it; elsewhere, it adds a graph. Edges snap to lines close to them; Ctrl draws freely.</source>
+        <translation>Ziehen Sie über den Bereich, in dem die Kurven gezeichnet sind, von Ecke zu Ecke. Über dem aktuellen Rahmen ersetzt der neue diesen; an anderer Stelle kommt ein Graph hinzu. Die Kanten rasten an nahen Linien ein; mit Strg zeichnen Sie frei.</translation>
     </message>
 </context>
 <context>

@@ -183,6 +183,7 @@ class ImportDialogTest : public QObject {
   void brokenFilesSayWhatToDo_data();
   void brokenFilesSayWhatToDo();
   void aFrameDrawnByHandOnAPictureWithoutGraph();
+  void aDrawnFrameIsTheOneShownAndStandsFreelyWithCtrl();
   void whileAGraphIsReadNothingSaysThereIsNone();
   void theImportsFilterShowsWhatItPromises();
   void theLastGoodResultStays();
@@ -621,6 +622,48 @@ void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
   const auto& graph = report(state).button.states().front().graph;
   QVERIFY(std::abs(graph.travel_mm() - 4 * 590 / 600.0) < 0.06);
   keepPicture(dialog, "by-hand");
+}
+
+void ImportDialogTest::aDrawnFrameIsTheOneShownAndStandsFreelyWithCtrl() {
+  ShownDialog dialog;
+  dialog.openPicture(pictureWithoutNumbers());
+  ImportState& state = dialog.view->state();
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible() && state.sheet(), patience_ms);
+  QTest::qWait(20);
+  PageView& view = *dialog.view;
+  const double by = 5 / std::sqrt(std::abs(view.pageToWidget().determinant()));
+  const importer::Point from{100 + by, 100}, to{700, 500 - by};
+  for (const bool freely : {false, true}) {
+    const Qt::KeyboardModifiers keys = freely ? Qt::ControlModifier : Qt::NoModifier;
+    view.setTool(PageToolKind::drawFrame);
+    QTest::mousePress(&view, Qt::LeftButton, keys, view.toWidget(from).toPoint());
+    QMouseEvent move(QEvent::MouseMove, view.toWidget(to), view.mapToGlobal(view.toWidget(to)), Qt::NoButton,
+                     Qt::LeftButton, keys);
+    QCoreApplication::sendEvent(&view, &move);
+    keepPicture(dialog, freely ? "frame-freely" : "frame-snapped");
+    const QImage picture = view.grab().toImage();
+    const auto shownAt = [&](double x) {  // dashes in the upper part of the left edge, free of the curve
+      int dashes = 0;
+      for (int step = 0; step < 200; ++step) {
+        const QPointF at = view.toWidget({x, 150.0 + step});
+        int reddest = 0;
+        for (const double beside_px : {-1.0, 0.0, 1.0}) {
+          const QColor color = picture.pixelColor((at + QPointF(beside_px, 0)).toPoint());
+          reddest = std::max(reddest, color.red() - color.green());
+        }
+        dashes += reddest > 80;
+      }
+      return dashes > 60;
+    };
+    QCOMPARE(shownAt(from.x), freely);
+    QCOMPARE(shownAt(100), !freely);
+    QTest::mouseRelease(&view, Qt::LeftButton, keys, view.toWidget(to).toPoint());
+    const FrameCorners corners = *state.current()->corners();
+    const double x = freely ? from.x : 100, y = freely ? to.y : 500;
+    QVERIFY2(std::abs(corners[3].x - x) < 1.5 && std::abs(corners[3].y - y) < 1.5,
+             qPrintable(QString("%1, %2").arg(corners[3].x).arg(corners[3].y)));
+    QVERIFY(again(state));
+  }
 }
 
 void ImportDialogTest::whileAGraphIsReadNothingSaysThereIsNone() {
