@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "model/sampling.h"
+#include "model/sections.h"
 
 namespace detent {
 namespace {
@@ -114,7 +115,7 @@ class NearestPlace {
 };
 
 struct OneWay {
-  double mean = 0, p95 = 0, max = 0, meanX = 0, maxX = 0, meanY = 0, maxY = 0;
+  double mean = 0, p95 = 0, max = 0, maxBefore = 0, meanX = 0, maxX = 0, meanY = 0, maxY = 0;
 };
 
 // Linear interpolation between order statistics, as in numpy.
@@ -126,7 +127,8 @@ double percentile(std::vector<double>& values, double share) {
   return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
 }
 
-OneWay oneWay(const Line& from, const Line& to) {
+// `bottomOut`: displacement, normalised, from which samples do not count for `maxBefore`.
+OneWay oneWay(const Line& from, const Line& to, double bottomOut) {
   NearestPlace nearest(to);
   OneWay result;
   std::vector<double> distances;
@@ -137,6 +139,7 @@ OneWay oneWay(const Line& from, const Line& to) {
     result.meanX += offset.dx;
     result.meanY += offset.dy;
     result.max = std::max(result.max, distances.back());
+    if (p.x < bottomOut) result.maxBefore = std::max(result.maxBefore, distances.back());
     result.maxX = std::max(result.maxX, offset.dx);
     result.maxY = std::max(result.maxY, offset.dy);
   }
@@ -148,12 +151,15 @@ OneWay oneWay(const Line& from, const Line& to) {
   return result;
 }
 
-StrokeDistance distanceBetween(const Line& a, const Line& b, double span_mm, double span_N) {
-  const OneWay there = oneWay(a, b), back = oneWay(b, a);
+StrokeDistance distanceBetween(const Line& a, const Line& b, double span_mm, double span_N,
+                               double bottomOut_mm) {
+  const double bottomOut = bottomOut_mm / span_mm;
+  const OneWay there = oneWay(a, b, bottomOut), back = oneWay(b, a, bottomOut);
   StrokeDistance d;
   d.meanOfSpan = 0.5 * (there.mean + back.mean);
   d.p95OfSpan = std::max(there.p95, back.p95);
   d.maxOfSpan = std::max(there.max, back.max);
+  d.maxBeforeBottomOutOfSpan = std::max(there.maxBefore, back.maxBefore);
   d.mean_mm = 0.5 * (there.meanX + back.meanX) * span_mm;
   d.max_mm = std::max(there.maxX, back.maxX) * span_mm;
   d.mean_N = 0.5 * (there.meanY + back.meanY) * span_N;
@@ -176,8 +182,16 @@ double spanOf(const GraphPolylines& graph, double CurvePoint::*value) {
 
 GraphPolylines polylinesOf(const ForceGraph& graph) {
   GraphPolylines lines;
+  const auto bottomOut_mm = [](const StrokeCurve& curve) {
+    const BottomOut found = bottomOutOf(curve);
+    return found.isSteep ? found.displacement_mm : std::numeric_limits<double>::infinity();
+  };
   lines.press = travelledSamples(graph, Stroke::press);
-  if (graph.release()) lines.release = travelledSamples(graph, Stroke::release);
+  lines.pressBottomOut_mm = bottomOut_mm(graph.press());
+  if (graph.release()) {
+    lines.release = travelledSamples(graph, Stroke::release);
+    lines.releaseBottomOut_mm = bottomOut_mm(*graph.release());
+  }
   return lines;
 }
 
@@ -185,14 +199,16 @@ Result<GraphDistance> compare(const GraphPolylines& first, const GraphPolylines&
   GraphDistance result;
   result.span_mm = spanOf(first, &CurvePoint::displacement_mm);
   result.span_N = spanOf(first, &CurvePoint::force_N);
-  const auto strokeDistance = [&](const StrokePolyline& a,
-                                  const StrokePolyline& b) -> std::optional<StrokeDistance> {
+  const auto strokeDistance = [&](StrokePolyline GraphPolylines::*stroke,
+                                  double GraphPolylines::*bottomOut) -> std::optional<StrokeDistance> {
+    const StrokePolyline &a = first.*stroke, &b = second.*stroke;
     if (a.empty() || b.empty()) return {};
     return distanceBetween(normalised(a, result.span_mm, result.span_N),
-                           normalised(b, result.span_mm, result.span_N), result.span_mm, result.span_N);
+                           normalised(b, result.span_mm, result.span_N), result.span_mm, result.span_N,
+                           std::min(first.*bottomOut, second.*bottomOut));
   };
-  result.press = strokeDistance(first.press, second.press);
-  result.release = strokeDistance(first.release, second.release);
+  result.press = strokeDistance(&GraphPolylines::press, &GraphPolylines::pressBottomOut_mm);
+  result.release = strokeDistance(&GraphPolylines::release, &GraphPolylines::releaseBottomOut_mm);
   if (!result.press && !result.release)
     return Failure{FailureCode::wrongUsage, "compare", "", Message("the two graphs have no stroke in common"),
                    Message("Choose two graphs that both have a press, or both have a release")};

@@ -2,6 +2,7 @@
 #pragma once
 // Distance between two force graphs: of two buttons, two files, or a fit and its points.
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,9 @@ using StrokePolyline = std::vector<CurvePoint>;
 /// Both strokes of one graph; an empty stroke is unknown.
 struct GraphPolylines {
   StrokePolyline press, release;
+  /// Displacement where each stroke's steep bottom-out begins; infinity if it has none or is unknown.
+  double pressBottomOut_mm = std::numeric_limits<double>::infinity();
+  double releaseBottomOut_mm = std::numeric_limits<double>::infinity();
 };
 GraphPolylines polylinesOf(const ForceGraph& graph);
 
@@ -22,9 +26,11 @@ GraphPolylines polylinesOf(const ForceGraph& graph);
 /// spans (max - min) of the first graph over both strokes. Each sample (every 0.002 of arc length, at most
 /// 100,000 per stroke) is paired with the nearest place on the other polyline.
 struct StrokeDistance {
-  double meanOfSpan = 0;           ///< symmetric: mean of the two one-sided means
-  double p95OfSpan = 0;            ///< larger of the two one-sided 95th percentiles
-  double maxOfSpan = 0;            ///< larger of the two one-sided maxima (Hausdorff)
+  double meanOfSpan = 0;  ///< symmetric: mean of the two one-sided means
+  double p95OfSpan = 0;   ///< larger of the two one-sided 95th percentiles
+  double maxOfSpan = 0;   ///< larger of the two one-sided maxima (Hausdorff)
+  /// The same of the samples before the bottom-out that begins first; maxOfSpan without a steep bottom-out.
+  double maxBeforeBottomOutOfSpan = 0;
   double mean_mm = 0, max_mm = 0;  ///< displacement part of the same pairs
   double mean_N = 0, max_N = 0;    ///< force part of the same pairs
 };

@@ -207,12 +207,16 @@ QString shownUnit(Measure measure, const DisplayUnits& units) {
 
 QString shownDistance(const GraphDistance& distance, const DisplayUnits& units) {
   const auto line = [&](const QString& name, const StrokeDistance& stroke) {
-    return Differences::tr(
-               "%1: the curves differ by %2 % of the first button's force range on average and by %3 % at "
-               "most (up to %4 %5, %6 %7)")
-        .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
-             number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
-             number(units.forceFrom(stroke.max_N)), units.forceSymbol());
+    const QString most = number(stroke.maxOfSpan * 100);
+    const QString before = number(stroke.maxBeforeBottomOutOfSpan * 100);
+    const QString all =
+        Differences::tr(
+            "%1: the curves differ by %2 % of the first button's force range on average and by %3 % at "
+            "most (up to %4 %5, %6 %7)")
+            .arg(name, number(stroke.meanOfSpan * 100), most, number(units.lengthFrom(stroke.max_mm)),
+                 units.lengthSymbol(), number(units.forceFrom(stroke.max_N)), units.forceSymbol());
+    return before == most ? all
+                          : Differences::tr("%1; before the bottom-out by %2 % at most").arg(all, before);
   };
   QStringList lines;
   if (distance.press) lines << line(Differences::tr("Press"), *distance.press);

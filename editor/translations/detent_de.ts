@@ -183,6 +183,10 @@
         <source>jump energy</source>
         <translation>Sprungenergie</translation>
     </message>
+    <message>
+        <source>%1; before the bottom-out by %2 % at most</source>
+        <translation>%1; vor dem Anschlag um höchstens %2 %</translation>
+    </message>
 </context>
 <context>
     <name>ExperimenterDialog</name>

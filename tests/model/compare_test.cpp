@@ -51,6 +51,23 @@ TEST_CASE("a shifted vertical piece is a difference of displacement, not of forc
   CHECK(d.press->mean_N < 2e-4);  // at the corner only
 }
 
+// Two curves that agree up to bottom-outs of 0.8 N and 0.3 N, 0.01 mm apart.
+TEST_CASE("the largest difference before the bottom-out is known beside the one in it") {
+  const auto ending = [](double at_mm, double top_N) {
+    return ForceGraph::fromCurves(
+               StrokeCurve::fromKnots({{0, 0.2, 0.1, 0.1}, {at_mm, 0.6, 0.1, 0}, {at_mm, top_N, 0, 0}})
+                   .value(),
+               {})
+        .value();
+  };
+  const auto d = between(polylinesOf(ending(4, 1.4)), polylinesOf(ending(4.01, 0.9)));
+  CHECK(d.press->maxOfSpan == Approx(0.5 / 1.2).epsilon(1e-3));
+  CHECK(d.press->maxBeforeBottomOutOfSpan < 0.01 / 4);
+  // Without a steep end all samples count.
+  const auto whole = between(pressOnly({{0, 0}, {4, 1}}), pressOnly({{0, 0}, {4, 2}}));
+  CHECK(whole.press->maxBeforeBottomOutOfSpan == whole.press->maxOfSpan);
+}
+
 TEST_CASE("the mean is symmetric and the order of a stroke's points does not matter") {
   const GraphPolylines a = pressOnly({{0, 0}, {2, 1}, {4, 1}, {4, 2}});
   const GraphPolylines b = pressOnly({{0, 0.1}, {2, 0.9}, {4, 1.2}, {4, 2}});
