@@ -13,6 +13,7 @@
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/input_kind.h"
+#include "editor/importing/finding_words.h"
 #include "model/file/button_file.h"
 
 namespace detent::editor {
@@ -22,8 +23,16 @@ enum Column { nameColumn, resultColumn, detailsColumn };
 constexpr int rowRole = Qt::UserRole;
 constexpr QSize firstBatchSize_px{860, 520};
 
+bool isToCheck(const BatchResult& result) {
+  return result.button && !result.checked && result.confidence < sureEnough;
+}
+
 QString inShort(const BatchResult& result) {
-  if (result.button) return BatchDialog::tr("%1 %").arg(qRound(100 * result.confidence));
+  if (result.button) {
+    const QString sure = BatchDialog::tr("%1 %").arg(qRound(100 * result.confidence));
+    if (result.checked) return sure + BatchDialog::tr(", checked");
+    return isToCheck(result) ? sure + QObject::tr(", check it") : sure;
+  }
   return result.question.isEmpty() ? BatchDialog::tr("Refused") : BatchDialog::tr("Question");
 }
 
@@ -111,7 +120,7 @@ void BatchDialog::start(const QStringList& paths) {
   list_->clear();
   rows_.clear();
   paths_ = paths;
-  finished_ = buttons_ = questions_ = refused_ = 0;
+  finished_ = 0;
   for (const QString& path : paths) {
     auto* item = new QTreeWidgetItem(list_, {QFileInfo(path).fileName(), tr("Waiting")});
     item->setToolTip(nameColumn, QDir::toNativeSeparators(path));
@@ -129,13 +138,9 @@ void BatchDialog::take(int file, const std::vector<BatchResult>& results) {
   if (results.size() == 1) {
     fill(item, item.text(nameColumn), path, results.front());
   } else {
-    int buttons = 0;
-    for (const BatchResult& result : results) {
+    for (const BatchResult& result : results)
       fill(*new QTreeWidgetItem(&item),
            tr("Page %1, graph %2").arg(result.graph.page).arg(result.graph.graph), path, result);
-      buttons += result.button.has_value();
-    }
-    item.setText(resultColumn, tr("%1 of %2").arg(buttons).arg(results.size()));
     item.setExpanded(true);
   }
   showProgress();
@@ -144,25 +149,66 @@ void BatchDialog::take(int file, const std::vector<BatchResult>& results) {
 
 void BatchDialog::fill(QTreeWidgetItem& item, const QString& name, const QString& path,
                        const BatchResult& result) {
-  ++(result.button ? buttons_ : result.question.isEmpty() ? refused_ : questions_);
-  const QString details = result.question.isEmpty() ? result.reason : result.question;
   item.setText(nameColumn, name);
-  item.setText(resultColumn, inShort(result));
-  item.setText(detailsColumn, details);
-  if (!result.reason.isEmpty()) item.setToolTip(detailsColumn, result.reason);
   item.setData(nameColumn, rowRole, static_cast<int>(rows_.size()));
   rows_.push_back({path, result});
+  showResult(item);
+}
+
+/// Shows the result of a row, and with it the number of buttons of its file.
+void BatchDialog::showResult(QTreeWidgetItem& item) {
+  const BatchResult& result = rows_[static_cast<std::size_t>(item.data(nameColumn, rowRole).toInt())].result;
+  item.setText(resultColumn, inShort(result));
+  item.setText(detailsColumn, result.question.isEmpty() ? result.reason : result.question);
+  item.setToolTip(detailsColumn, result.reason);
+  QTreeWidgetItem* file = item.parent();
+  if (!file) return;
+  int buttons = 0;
+  for (int i = 0; i < file->childCount(); ++i) {
+    const int row = file->child(i)->data(nameColumn, rowRole).toInt();
+    buttons += rows_[static_cast<std::size_t>(row)].result.button.has_value();
+  }
+  file->setText(resultColumn, tr("%1 of %2").arg(buttons).arg(file->childCount()));
+}
+
+/// A person may have drawn a frame where none was found: then the only row of the file, refused, is the one.
+void BatchDialog::takeChecked(const QString& path, const importer::ImportReport& report) {
+  const GraphId graph{report.page, report.graph};
+  QTreeWidgetItem *same = nullptr, *refused = nullptr;
+  int ofFile = 0;
+  for (QTreeWidgetItemIterator each(list_); *each; ++each) {
+    const QVariant row = (*each)->data(nameColumn, rowRole);
+    if (!row.isValid() || rows_[static_cast<std::size_t>(row.toInt())].path != path) continue;
+    const BatchResult& result = rows_[static_cast<std::size_t>(row.toInt())].result;
+    ++ofFile;
+    if (result.graph == graph || result.graph.page == 0) same = *each;
+    if (!result.button) refused = *each;
+  }
+  QTreeWidgetItem* item = same ? same : ofFile == 1 ? refused : nullptr;
+  if (!item) return;
+  BatchResult& result = rows_[static_cast<std::size_t>(item->data(nameColumn, rowRole).toInt())].result;
+  result = resultOf(graph, report, view_.units());
+  result.checked = true;
+  showResult(*item);
+  showProgress();
+  follow();
 }
 
 void BatchDialog::showProgress() {
   progress_->setRange(0, static_cast<int>(paths_.size()));
   progress_->setValue(finished_);
-  summary_->setText(tr("%1 of %2 files. Buttons: %3, questions: %4, refused: %5.")
+  int buttons = 0, toCheck = 0, questions = 0, refused = 0;
+  for (const Row& row : rows_) {
+    ++(row.result.button ? buttons : row.result.question.isEmpty() ? refused : questions);
+    toCheck += isToCheck(row.result);
+  }
+  summary_->setText(tr("%1 of %2 files. Buttons: %3 (to check: %4), questions: %5, refused: %6.")
                         .arg(finished_)
                         .arg(paths_.size())
-                        .arg(buttons_)
-                        .arg(questions_)
-                        .arg(refused_));
+                        .arg(buttons)
+                        .arg(toCheck)
+                        .arg(questions)
+                        .arg(refused));
 }
 
 void BatchDialog::ended() {

@@ -32,6 +32,8 @@ class BatchDialog : public QDialog {
 
   /// Imports these files in place of the listed ones.
   void start(const QStringList& paths);
+  /// Shows the result of a listed graph that a person has imported in the import dialogue.
+  void takeChecked(const QString& path, const importer::ImportReport& report);
   void done(int result) override;
 
  private:
@@ -43,6 +45,7 @@ class BatchDialog : public QDialog {
   QLayout* actionRow();
   void take(int file, const std::vector<BatchResult>& results);
   void fill(QTreeWidgetItem& item, const QString& name, const QString& path, const BatchResult& result);
+  void showResult(QTreeWidgetItem& item);
   void showProgress();
   void follow();
   std::vector<const Row*> chosen() const;
@@ -55,7 +58,7 @@ class BatchDialog : public QDialog {
   BatchImport batch_{this};
   std::vector<Row> rows_;  ///< index: the number stored in the list's item
   QStringList paths_;
-  int finished_ = 0, buttons_ = 0, questions_ = 0, refused_ = 0;
+  int finished_ = 0;
   QTreeWidget* list_;
   QProgressBar* progress_;
   QLabel* summary_;

@@ -29,8 +29,7 @@ BatchResult refusal(GraphId graph, const Failure& failure, const QString& file, 
 BatchResult resultOf(const importer::ImportAttempt& attempt, const importer::ImportRequest& one,
                      const QString& file, const DisplayUnits& units) {
   const GraphId graph{one.page.value_or(0), one.graph.value_or(0)};
-  if (attempt.report)
-    return {graph, attempt.report->button, attempt.report->confidence, {}, causeOf(*attempt.report, units)};
+  if (attempt.report) return resultOf(graph, *attempt.report, units);
   BatchResult refused = refusal(graph, attempt.report.failure(), file, units);
   if (attempt.question) refused.question = inWords(*attempt.question);
   return refused;
@@ -77,6 +76,10 @@ std::vector<BatchResult> resultsFrom(const QByteArray& written) {
 }
 
 }  // namespace
+
+BatchResult resultOf(GraphId graph, const importer::ImportReport& report, const DisplayUnits& units) {
+  return {graph, report.button, report.confidence, {}, causeOf(report, units)};
+}
 
 int importForBatch(const QStringList& words) {
   const auto length = lengthUnitFrom(words.value(1).toStdString());

@@ -23,7 +23,9 @@ struct BatchResult {
   double confidence = 0;         ///< 0..1, with a button
   QString question;              ///< question that would settle a refusal, with its choices
   QString reason;                ///< reason for a refusal, or for a low confidence
+  bool checked = false;          ///< imported by a person, in the import dialogue
 };
+BatchResult resultOf(GraphId graph, const importer::ImportReport& report, const DisplayUnits& units);
 
 /// First word of the command line of a process that imports one file of a batch; the program must then
 /// return importForBatch(the other words).

@@ -221,7 +221,7 @@ QString inProgress(importer::ImportStep step) {
 }
 
 QString causeOf(const importer::ImportReport& report, const DisplayUnits& units) {
-  constexpr double sureEnough = 0.95, same = 0.005;
+  constexpr double same = 0.005;
   if (report.confidence >= sureEnough) return {};
   const importer::StepFinding* weakest = nullptr;
   if (report.evidence)

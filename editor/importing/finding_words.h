@@ -38,8 +38,9 @@ QString inWords(const importer::Question& question);
 /// Text of a correction's button: "Draw plot frame"; empty if the remedy is not a correction.
 QString textOnButton(RemedyKind correction);
 
+inline constexpr double sureEnough = 0.95;  ///< confidence from which nothing needs a check
 /// The reason why an import is not more certain, in a line: its doubts, else the weakest step with its
-/// evidence. Empty if it is certain.
+/// evidence. Empty if it is sure enough.
 QString causeOf(const importer::ImportReport& report, const DisplayUnits& units);
 
 /// "Plot frame": name of a step's result.

@@ -3533,12 +3533,20 @@ Lizenz: %3</translation>
         <translation>Alle Datenblätter, Bilder und Tabellen eines Ordners und seiner Unterordner importieren</translation>
     </message>
     <message>
+        <source>Check what was found on the page, answer the question, or correct the result</source>
+        <translation>Auf der Seite prüfen, was gefunden wurde, die Frage beantworten oder das Ergebnis korrigieren</translation>
+    </message>
+    <message>
         <source>No datasheet, picture or table was found in %1.</source>
         <translation>In %1 wurde kein Datenblatt, kein Bild und keine Tabelle gefunden.</translation>
     </message>
     <message>
-        <source>Check what was found on the page, answer the question, or correct the result</source>
-        <translation>Auf der Seite prüfen, was gefunden wurde, die Frage beantworten oder das Ergebnis korrigieren</translation>
+        <source>, checked</source>
+        <translation>, geprüft</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files. Buttons: %3 (to check: %4), questions: %5, refused: %6.</source>
+        <translation>%1 von %2 Dateien. Taster: %3 (zu prüfen: %4), Fragen: %5, abgelehnt: %6.</translation>
     </message>
 </context>
 <context>

@@ -107,6 +107,7 @@ void FileController::importMany() {
     actions.correct = [this](const QString& path, GraphId graph) { sheets_.importGraph(path, graph); };
     actions.open = [this](const QString& path, const Button& button) { sheets_.openImported(path, button); };
     batch_ = new BatchDialog(at_.view, std::move(actions), &at_.window);
+    connect(&sheets_, &SheetController::imported, batch_, &BatchDialog::takeChecked);
   }
   bringUp(*batch_);
 }

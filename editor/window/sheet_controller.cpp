@@ -79,7 +79,9 @@ ImportDialog& SheetController::dialog() {
 
 void SheetController::addImported(std::shared_ptr<const importer::ImportReport> report) {
   const auto& provenance = report->button.provenance();
-  if (provenance && importing_) pages_.remember(*provenance, importing_->draft().path);
+  const QString path = importing_ ? importing_->draft().path : QString();
+  if (provenance && importing_) pages_.remember(*provenance, path);
+  emit imported(path, *report);
   at_.tabs.add(importedDocument(std::move(report)));
   at_.recovery.flush();  // saved at once, because an import may have cost an hour of work
 }

@@ -43,6 +43,8 @@ class SheetController : public QObject {
  signals:
   /// Something was done: a sentence for the status bar.
   void done(const QString& sentence);
+  /// A graph of this sheet was imported in the import dialogue.
+  void imported(const QString& path, const importer::ImportReport& report);
   /// The sheet is open in the import dialogue and could be read.
   void opened(const QString& path);
   void unreadable(const QString& path);

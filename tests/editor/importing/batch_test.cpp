@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many files imported at once: each result is the one of the importer alone, and leads somewhere.
 
+#include <algorithm>
 #include <csignal>
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QProcess>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -125,8 +128,50 @@ class BatchTest : public QObject {
     }
     if (const QString pictures = qEnvironmentVariable("DETENT_PICTURES"); !pictures.isEmpty())
       rig.dialog->grab().save(pictures + "/batch.png");
-    QVERIFY2(rig.summary().contains("6 of 6 files. Buttons: 2, questions: 1, refused: 3."),
+    QVERIFY2(rig.summary().contains("6 of 6 files. Buttons: 2 (to check: 0), questions: 1, refused: 3."),
              qPrintable(rig.summary()));
+  }
+
+  // A scan's grain: read, but not as surely as nothing needs a check. Then a person imports both files.
+  void whatIsUncertainIsToBeCheckedAndWhatWasCheckedIsNot() {
+    QImage scan(sample("black-red-curves.png"));
+    scan = scan.convertToFormat(QImage::Format_RGB32);
+    QRandomGenerator grain(1);
+    for (int y = 0; y < scan.height(); ++y)
+      for (int x = 0; x < scan.width(); ++x) {
+        const QColor c = scan.pixelColor(x, y);
+        const int less = grain.bounded(9);
+        scan.setPixelColor(
+            x, y,
+            QColor(std::max(0, c.red() - less), std::max(0, c.green() - less), std::max(0, c.blue() - less)));
+      }
+    QVERIFY(scan.save(at("scan.png")));
+    BatchRig rig(at("."));
+    const QStringList paths{at("scan.png"), at("noise.pdf"), at("states.svg")};
+    rig.read(paths);
+    QCOMPARE(rig.cell(0, 1), QString("88 %, check it"));
+    QVERIFY(!rig.cell(0, 2).isEmpty());
+    QCOMPARE(rig.cell(1, 1), QString("Refused"));
+    QCOMPARE(rig.summary(), QString("3 of 3 files. Buttons: 3 (to check: 1), questions: 0, refused: 1."));
+    importer::ImportRequest request;
+    request.path = at("states.svg").toStdString();
+    std::vector<importer::ImportReport> reports;
+    const auto read = importer::attemptAllGraphs(
+        request, {},
+        [&](const importer::ImportAttempt& attempt, auto&&...) { reports.push_back(*attempt.report); });
+    QVERIFY(read.ok() && reports.size() == 2);
+    for (const QString& path : paths) rig.dialog->takeChecked(path, reports[0]);
+    rig.dialog->takeChecked(at("states.svg"), reports[1]);
+    rig.dialog->takeChecked("/elsewhere.png", reports[1]);
+    const QString checked = QString("%1 %, checked").arg(qRound(100 * reports[0].confidence));
+    for (int row = 0; row < 2; ++row) QCOMPARE(rig.cell(row, 1), checked);
+    QCOMPARE(rig.cell(2, 1), QString("2 of 2"));
+    for (int graph = 0; graph < 2; ++graph)
+      QVERIFY(rig.list->topLevelItem(2)->child(graph)->text(1).endsWith(", checked"));
+    QCOMPARE(rig.summary(), QString("3 of 3 files. Buttons: 4 (to check: 0), questions: 0, refused: 0."));
+    rig.list->topLevelItem(1)->setSelected(true);
+    rig.button("batchOpen").click();
+    QVERIFY(rig.buttons == std::vector<Button>{reports[0].button});
   }
 
   // A reader that crashes ends its own process: the file is refused, and the others are read.

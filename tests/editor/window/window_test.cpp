@@ -40,6 +40,7 @@
 #include <QTest>
 #include <QToolBar>
 #include <QTranslator>
+#include <QTreeWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <QWidgetAction>
@@ -674,12 +675,12 @@ class WindowTest : public QObject {
     rig.prompts.magneticTyped.typed = {{"magneticActuate", 1.2}};
     for (int again = 0; again < 2; ++again) rig.action("exportMagnetic")->trigger();  // cancelled
     QVERIFY(rig.notices().isEmpty());
-    // If a format has no room for the press, this is reported before anything is written.
     QCOMPARE(rig.prompts.magneticChoices.back().typed, rig.prompts.magneticTyped.typed);
+    // If a format has no room for the press, this is reported before anything is written.
     rig.window->files().open({sample("buttons/latch.button.json")});
-    DeviceExportDialog latch(rig.document().button());
     rig.action("exportMagnetic")->trigger();  // another button has its own choice
     QVERIFY(rig.prompts.magneticChoices.back().typed.isEmpty());
+    DeviceExportDialog latch(rig.document().button());
     auto* formats = latch.findChild<QComboBox*>("deviceFormat");
     formats->setCurrentIndex(formats->findText("OpenXR", Qt::MatchContains));
     const auto cut = [&] { return latch.findChild<QLabel*>("deviceLoss")->text().contains("cut off"); };
@@ -849,6 +850,22 @@ class WindowTest : public QObject {
     QTRY_VERIFY(rig.window->tabs().current());
     QTRY_VERIFY(rig.window->isActiveWindow());
     QTRY_COMPARE(QApplication::focusWidget(), &rig.window->tabs().current()->workspace().canvas());
+  }
+
+  void theListOfABatchLearnsOfAnImportByHand() {
+    Rig rig(folder_->path());
+    rig.action("importMany")->trigger();
+    auto* batch = rig.window->findChild<QDialog*>("batchDialog");
+    auto* list = batch->findChild<QTreeWidget*>("batchList");
+    rig.prompts.openAnswers = {{sample("plots/white-vector.pdf")}};
+    batch->findChild<QPushButton*>("batchFiles")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(list->topLevelItem(0)->text(1).endsWith('%'), 60'000);
+    list->topLevelItem(0)->setSelected(true);
+    batch->findChild<QPushButton*>("batchCorrect")->click();
+    auto* accept = rig.window->findChild<ImportDialog*>()->findChild<QPushButton*>("import");
+    QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60'000);
+    accept->click();
+    QCOMPARE(list->topLevelItem(0)->text(1), QString("100 %, checked"));
   }
 
   void picturesAndPagesGoToTheImport() {
