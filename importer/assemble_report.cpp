@@ -189,10 +189,14 @@ std::vector<std::string> givenByHand(const ImportHints& hints) {
   return given;
 }
 
-std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks) {
+std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks,
+                                      const std::vector<Doubt>& accepted) {
   std::vector<RecordedWarning> warnings;
-  for (const Remark& remark : remarks)
+  const auto add = [&](const Remark& remark) {
     warnings.push_back({std::string(nameOf(remark.code)), commandLineWords(remark)});
+  };
+  for (const Remark& remark : remarks) add(remark);
+  for (const Doubt& doubt : accepted) add({RemarkCode::doubted, {messageOf(doubt)}, {}});
   return warnings;
 }
 
@@ -214,7 +218,7 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   std::vector<Remark> remarks = source.remarks;
   remarks.insert(remarks.end(), findings.graph.axes.remarks.begin(), findings.graph.axes.remarks.end());
   Provenance provenance = provenanceOf(findings, source, request);
-  provenance.warnings = recorded(remarks);
+  provenance.warnings = recorded(remarks, {});
   provenance.confidence = std::min(findings.graph.confidence(), findings.strokes.confidence);
   const std::vector<PlotSwitch> switches = switchesAmong(findings.traces);
   const auto curve = chosenAmongSeveral(switches, findings.traces, request.hints.strokes.curve);
@@ -231,13 +235,21 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
     if (each.confidence >= request.sure && said.insert(each.doubt.code).second)
       remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
   }
-  if (!doubts.empty()) {
-    provenance.warnings = recorded(remarks);
+  const auto uncertain = doubt(findings, checks, doubts, axes.xMin && axes.yMin, request.sure);
+  if (uncertain && !request.acceptDoubt) return failureOf(*uncertain);
+  if (uncertain || !doubts.empty()) {
+    std::vector<Doubt> accepted;  // the gravest first
+    if (uncertain) accepted.push_back(*uncertain);
+    for (const WeighedDoubt& each : doubts) {
+      const std::string words = english(messageOf(each.doubt));
+      const auto same = [&](const Doubt& d) { return english(messageOf(d)) == words; };
+      if (each.confidence < request.sure && std::ranges::none_of(accepted, same))
+        accepted.push_back(each.doubt);
+    }
+    provenance.warnings = recorded(remarks, accepted);
     button = Button::fromStates(button->name(), button->states(), provenance);
     if (!button) return button.failure();
   }
-  const auto uncertain = doubt(findings, checks, doubts, axes.xMin && axes.yMin, request.sure);
-  if (uncertain && !request.acceptDoubt) return failureOf(*uncertain);
 
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;
   ImportReport report(std::move(button).value());

@@ -23,8 +23,8 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
 /// The names of the options that were given, as provenance keeps them.
 std::vector<std::string> givenByHand(const ImportHints& hints);
 
-/// Remarks as the button's file keeps them: code and words.
-std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks);
+/// Remarks as the button's file keeps them, code and words; the last ones are doubts that a person accepted.
+std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks, const std::vector<Doubt>& accepted);
 
 /// A button of one state. Callouts set its operating point and its reset point.
 Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,

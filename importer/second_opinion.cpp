@@ -79,7 +79,13 @@ ReadingSummary summaryOf(const PageReading& reading) {
 ImportReport withProvenance(ImportReport report) {
   Provenance provenance = report.button.provenance().value_or(Provenance{});
   provenance.confidence = report.confidence;
-  provenance.warnings = recorded(report.remarks);
+  std::vector<RecordedWarning> warnings =
+      recorded(report.remarks, report.doubt ? std::vector{*report.doubt} : std::vector<Doubt>());
+  for (RecordedWarning& before : provenance.warnings) {  // also the other doubts of the reading
+    const auto says = [&](const RecordedWarning& now) { return now.text.starts_with(before.text); };
+    if (std::ranges::none_of(warnings, says)) warnings.push_back(std::move(before));
+  }
+  provenance.warnings = std::move(warnings);
   auto button = Button::fromStates(report.button.name(), report.button.states(), std::move(provenance));
   if (button) report.button = std::move(button).value();
   return report;

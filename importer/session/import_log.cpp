@@ -102,7 +102,7 @@ Result<ImportReport> reportOfLog(Result<ForceLog> log, const std::optional<Quest
   if (gravest && !request.acceptDoubt) {
     return failureOf(*gravest, fileName);
   }
-  provenance.warnings = recorded(log->remarks);
+  provenance.warnings = recorded(log->remarks, gravest ? std::vector{*gravest} : std::vector<Doubt>());
   auto button =
       buttonFrom(std::filesystem::path(fileName).stem().string(), *fitted, contactPointsOf(*log), provenance);
   if (!button) return button.failure();

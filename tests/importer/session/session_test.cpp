@@ -162,6 +162,29 @@ TEST_CASE("A doubt is a failure, or comes with the result where a person will ch
   }
 }
 
+TEST_CASE("A button keeps in its file which units its user accepted as a guess") {
+  if (!TextReader::available()) {
+    WARN("SKIPPED: no Tesseract language data");
+    return;
+  }
+  PlotStyle s;
+  s.xTitle = "Travel", s.yTitle = "Force";
+  std::vector<unsigned char> png;
+  REQUIRE(cv::imencode(".png", drawn(s), png));
+  auto session = ImportSession::fromBytes(std::move(png), "drawn.png");
+  REQUIRE(session);
+  ImportRequest request = firstGraph();
+  request.acceptDoubt = true;
+  const auto attempt = session->attempt(request);
+  REQUIRE(attempt.report);
+  REQUIRE(attempt.report->doubt);
+  std::string all;
+  for (const RecordedWarning& warning : attempt.report->button.provenance()->warnings)
+    all += warning.text + "\n";
+  for (const char* axis : {"x", "y"})
+    CHECK_THAT(all, Catch::Contains("not certain: the " + std::string(axis) + " axis names no unit"));
+}
+
 TEST_CASE("A failed import gives what was found so far; a good one what its report holds") {
   auto session = opened("two-level-legend.png");
   ImportRequest request = firstGraph();
