@@ -2,6 +2,7 @@
 #include "editor/document/button_document.h"
 
 #include <algorithm>
+#include <QDir>
 #include <QFileInfo>
 #include <QUndoCommand>
 
@@ -116,6 +117,27 @@ void ButtonDocument::annotate(Annotations next, const QString& label) {
 
 void ButtonDocument::wantOrigin() {
   if (originOnDemand()) emit originWanted();
+}
+
+QStringList distinctTitles(const std::vector<ButtonDocument*>& documents) {
+  QStringList titles;
+  for (const ButtonDocument* document : documents) titles << document->title();
+  enum Mark { file, folder, number };
+  for (const Mark mark : {file, folder, number}) {
+    const QStringList before = titles;
+    for (qsizetype i = 0; i < before.size(); ++i) {
+      if (before.count(before[i]) == 1) continue;
+      const ButtonDocument& document = *documents[static_cast<std::size_t>(i)];
+      const QFileInfo path(document.path());
+      QString words = document.path().isEmpty() ? ButtonDocument::tr("not saved")
+                      : mark == file            ? path.fileName()
+                                                : path.dir().dirName() + '/' + path.fileName();
+      if (mark == number)
+        words = QStringLiteral("%1, %2").arg(words).arg(before.first(i + 1).count(before[i]));
+      titles[i] = QStringLiteral("%1 (%2)").arg(document.title(), words);
+    }
+  }
+  return titles;
 }
 
 }  // namespace detent::editor

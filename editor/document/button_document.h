@@ -9,7 +9,9 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTransform>
+#include <vector>
 
 #include "editor/document/edit_history.h"
 #include "importer/importer.h"
@@ -101,5 +103,9 @@ class ButtonDocument : public QObject {
   std::optional<PageCutout> cutout_;
   Annotations annotations_;
 };
+
+/// Titles of open buttons, in their order. Equal ones are followed by the name of their file, then of its
+/// folder, or by "not saved", then by a number in this order.
+QStringList distinctTitles(const std::vector<ButtonDocument*>& documents);
 
 }  // namespace detent::editor

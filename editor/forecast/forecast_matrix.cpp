@@ -91,10 +91,10 @@ void ForecastMatrix::setDocuments(const std::vector<ButtonDocument*>& documents)
 
 /// Forecasts are below the diagonal, so the first button has no row and the last one no column.
 void ForecastMatrix::nameRows() {
+  const QStringList titles = distinctTitles(documents_);
   for (int i = 0; i < table_->rowCount(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    table_->setVerticalHeaderItem(i, new QTableWidgetItem(documents_[at + 1]->title()));
-    table_->setHorizontalHeaderItem(i, new QTableWidgetItem(documents_[at]->title()));
+    table_->setVerticalHeaderItem(i, new QTableWidgetItem(titles[i + 1]));
+    table_->setHorizontalHeaderItem(i, new QTableWidgetItem(titles[i]));
   }
 }
 

@@ -241,20 +241,10 @@ void ComparePanel::showColors() {
   }
 }
 
-// Distinguishes two states of one button, and two buttons of one name.
-QString ComparePanel::nameOf(const Side& side) const {
-  if (!side.document) return {};
-  QString name = side.document->title();
-  const QString state = side.state->currentText();
-  if (!state.isEmpty()) name += QStringLiteral(" (%1)").arg(state);
-  int before = 1;
-  for (const auto& other : sides_) {
-    if (other.get() == &side) break;
-    if (other->document && other->document->title() == side.document->title() &&
-        other->state->currentText() == state)
-      ++before;
-  }
-  return before == 1 ? name : QStringLiteral("%1 #%2").arg(name).arg(before);
+/// Index of the side's button among those that can be chosen; -1 if it has none.
+int ComparePanel::placeOf(const Side& side) const {
+  const auto at = std::ranges::find(documents_, side.document);
+  return at != documents_.end() ? static_cast<int>(at - documents_.begin()) : -1;
 }
 
 void ComparePanel::removeLast() {
@@ -285,6 +275,7 @@ void ComparePanel::setDocuments(const std::vector<ButtonDocument*>& documents) {
       connect(document, &ButtonDocument::changed, &soon_, qOverload<>(&QTimer::start));
       connect(document, &ButtonDocument::titleChanged, this, [this] {
         for (const auto& side : sides_) fillButtons(*side);
+        soon_.start();
       });
     }
   documents_ = documents;
@@ -345,10 +336,8 @@ void ComparePanel::exchange() {
 
 void ComparePanel::fillButtons(Side& side) {
   side.button->clear();
-  for (ButtonDocument* document : documents_) {
-    side.button->addItem(document->title());
-    if (document == side.document) side.button->setCurrentIndex(side.button->count() - 1);
-  }
+  side.button->addItems(distinctTitles(documents_));
+  side.button->setCurrentIndex(placeOf(side));
 }
 
 void ComparePanel::fillStates(Side& side) {
@@ -371,6 +360,7 @@ const ButtonState* ComparePanel::stateOf(const Side& side) const {
 void ComparePanel::update() {
   std::vector<const ButtonState*> states;
   std::vector<ComparedGraph> graphs;
+  const QStringList titles = distinctTitles(documents_);
   for (const auto& side : sides_) {
     // An edit may have added or removed a state.
     if (side->document && side->state->count() != static_cast<int>(side->document->button().states().size()))
@@ -378,7 +368,10 @@ void ComparePanel::update() {
     const ButtonState* state = stateOf(*side);
     if (!state) continue;
     states.push_back(state);
-    graphs.push_back({nameOf(*side), state->graph});
+    side->name = titles.value(placeOf(*side));
+    if (const QString named = side->state->currentText(); !named.isEmpty())
+      side->name += QStringLiteral(" (%1)").arg(named);
+    graphs.push_back({side->name, state->graph});
     if (isAlone()) break;
   }
   forecast_->setPair(sides_[0]->document, sides_[1]->document);
@@ -397,7 +390,7 @@ QString ComparePanel::distances(const std::vector<const ButtonState*>& states) c
     const auto distance = detent::compare(polylinesOf(states.front()->graph), polylinesOf(states[i]->graph));
     const QString text =
         distance ? shownDistance(*distance, settings_.units()) : sentenceOf(distance.failure());
-    lines << (states.size() > 2 ? tr("%1: %2").arg(nameOf(*sides_[i]), text) : text);
+    lines << (states.size() > 2 ? tr("%1: %2").arg(sides_[i]->name, text) : text);
   }
   return lines.join('\n');
 }
@@ -407,12 +400,12 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   table_->clear();
   QStringList heads{tr("Figure")}, whole{tr("Figure")};
   for (std::size_t i = 0; i < states.size(); ++i) {
-    whole << nameOf(*sides_[i]);
+    whole << sides_[i]->name;
     heads << whole.back();
   }
   for (std::size_t i = 1; i < states.size(); ++i) {
-    whole << tr("%1 − %2").arg(nameOf(*sides_[i]), nameOf(*sides_[0]));
-    heads << QStringLiteral("\u0394 ") + nameOf(*sides_[i]);
+    whole << tr("%1 − %2").arg(sides_[i]->name, sides_[0]->name);
+    heads << QStringLiteral("\u0394 ") + sides_[i]->name;
   }
   heads << tr("Unit");
   whole << heads.back();
@@ -506,9 +499,9 @@ bool ComparePanel::eventFilter(QObject* object, QEvent* event) {
 QString ComparePanel::tableText() const {
   QStringList heads{QStringLiteral("figure")};
   const std::size_t count = table_->columnCount() < 3 ? 0 : sides_.size();
-  for (std::size_t i = 0; i < count; ++i) heads << quotedField(nameOf(*sides_[i]));
+  for (std::size_t i = 0; i < count; ++i) heads << quotedField(sides_[i]->name);
   for (std::size_t i = 1; i < count; ++i)
-    heads << quotedField(nameOf(*sides_[i]) + QStringLiteral(" - ") + nameOf(*sides_[0]));
+    heads << quotedField(sides_[i]->name + QStringLiteral(" - ") + sides_[0]->name);
   heads << QStringLiteral("unit");
   QStringList lines{heads.join(',')};
   for (int row = 0; row < table_->rowCount(); ++row) {

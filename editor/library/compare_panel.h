@@ -75,13 +75,14 @@ class ComparePanel : public QWidget {
     QComboBox* button = nullptr;
     QComboBox* state = nullptr;
     ButtonDocument* document = nullptr;
+    QString name;  ///< with its state, and unlike that of another button
   };
   void build();
   QWidget* plotSide();
   QWidget* figureSide();
   QWidget* offerSide();
   void addSide();
-  QString nameOf(const Side& side) const;
+  int placeOf(const Side& side) const;
   void showColors();
   void removeLast();
   void addNext();

@@ -52,7 +52,7 @@ void OpenButtonsModel::setDocuments(const std::vector<ButtonDocument*>& document
       rows.push_back(*known);
       continue;
     }
-    rows.push_back({document, "open:" + QString::number(nextKey_++)});
+    rows.push_back({document, "open:" + QString::number(nextKey_++), {}});
     connect(document, &ButtonDocument::titleChanged, this, [this, document] { drawSoon(document); });
     waiting_.push_back(document);
   }
@@ -64,8 +64,16 @@ void OpenButtonsModel::setDocuments(const std::vector<ButtonDocument*>& document
     if (!kept(row.document)) pictures_.forget(row.key);
   std::erase_if(waiting_, [&](ButtonDocument* document) { return !kept(document); });
   rows_ = std::move(rows);
+  nameRows();
   endResetModel();
   if (!waiting_.empty()) soon_.start();
+}
+
+void OpenButtonsModel::nameRows() {
+  std::vector<ButtonDocument*> documents;
+  for (const Row& row : rows_) documents.push_back(row.document);
+  const QStringList titles = distinctTitles(documents);
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].title = titles[static_cast<qsizetype>(i)];
 }
 
 void OpenButtonsModel::drawSoon(ButtonDocument* document) {
@@ -77,9 +85,10 @@ void OpenButtonsModel::drawWaiting() {
   for (const Row& row : rows_) {
     if (std::find(waiting_.begin(), waiting_.end(), row.document) == waiting_.end()) continue;
     pictures_.draw(row.key, row.document->button());
-    tell(row.key);  // reported too, because the title may have changed
   }
   waiting_.clear();
+  nameRows();  // a title may have changed, and with it those of other rows
+  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
 }
 
 void OpenButtonsModel::redraw() {
@@ -111,7 +120,7 @@ QVariant OpenButtonsModel::data(const QModelIndex& index, int role) const {
   const bool foretold = forecast != forecasts_.end();
   switch (role) {
     case Qt::DisplayRole:
-      return row.document->title() + (row.document->history().modified() ? " *" : "") +
+      return row.title + (row.document->history().modified() ? " *" : "") +
              (foretold ? "\n" + shortForecastWords(forecast->second) : QString());
     case Qt::DecorationRole:
       return shown(pictures_.drawn(row.key), pictures_.size_px());
@@ -123,8 +132,7 @@ QVariant OpenButtonsModel::data(const QModelIndex& index, int role) const {
                  : file;
     }
     case Qt::AccessibleTextRole:
-      return row.document->history().modified() ? tr("%1, with unsaved changes").arg(row.document->title())
-                                                : row.document->title();
+      return row.document->history().modified() ? tr("%1, with unsaved changes").arg(row.title) : row.title;
     default:
       return {};
   }

@@ -37,7 +37,9 @@ class OpenButtonsModel : public QAbstractListModel {
   struct Row {
     ButtonDocument* document;
     QString key;
+    QString title;  ///< that no other row has
   };
+  void nameRows();
   void drawSoon(ButtonDocument* document);
   void drawWaiting();
   void tell(const QString& key);

@@ -460,10 +460,9 @@ void MeasuredWindow::followDocuments() {
 void MeasuredWindow::listRequested() {
   like_->clear();
   like_->addItem(tr("no reference"));
-  for (ButtonDocument* document : listed_) {
-    like_->addItem(document->title());
-    if (reference_ && reference_->document == document) like_->setCurrentIndex(like_->count() - 1);
-  }
+  like_->addItems(distinctTitles(listed_));
+  for (std::size_t i = 0; i < listed_.size(); ++i)
+    if (reference_ && reference_->document == listed_[i]) like_->setCurrentIndex(static_cast<int>(i) + 1);
   if (!reference_ || !reference_->own) return;
   like_->addItem(reference_->name);
   like_->setCurrentIndex(like_->count() - 1);

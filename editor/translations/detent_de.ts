@@ -3509,10 +3509,6 @@ Lizenz: %3</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>%1 of %2 files. Buttons: %3, questions: %4, refused: %5.</source>
-        <translation>%1 von %2 Dateien. Taster: %3, Fragen: %4, abgelehnt: %5.</translation>
-    </message>
-    <message>
         <source>Stopped</source>
         <translation>Angehalten</translation>
     </message>
@@ -3533,12 +3529,12 @@ Lizenz: %3</translation>
         <translation>Alle Datenblätter, Bilder und Tabellen eines Ordners und seiner Unterordner importieren</translation>
     </message>
     <message>
-        <source>Check what was found on the page, answer the question, or correct the result</source>
-        <translation>Auf der Seite prüfen, was gefunden wurde, die Frage beantworten oder das Ergebnis korrigieren</translation>
-    </message>
-    <message>
         <source>No datasheet, picture or table was found in %1.</source>
         <translation>In %1 wurde kein Datenblatt, kein Bild und keine Tabelle gefunden.</translation>
+    </message>
+    <message>
+        <source>Check what was found on the page, answer the question, or correct the result</source>
+        <translation>Auf der Seite prüfen, was gefunden wurde, die Frage beantworten oder das Ergebnis korrigieren</translation>
     </message>
     <message>
         <source>, checked</source>
@@ -3569,6 +3565,10 @@ Lizenz: %3</translation>
     <message>
         <source>Reload from disk</source>
         <translation>Vom Datenträger neu laden</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
     </message>
 </context>
 <context>

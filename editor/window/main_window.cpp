@@ -495,10 +495,9 @@ void MainWindow::updateDocuments() {
   updateFeel();
   other_->clear();
   other_->addItem(tr("no other button"));
-  for (ButtonDocument* document : documents) {
-    other_->addItem(document->title());
-    if (document == otherDocument_) other_->setCurrentIndex(other_->count() - 1);
-  }
+  other_->addItems(distinctTitles(documents));
+  for (std::size_t i = 0; i < documents.size(); ++i)
+    if (documents[i] == otherDocument_) other_->setCurrentIndex(static_cast<int>(i) + 1);
 }
 
 void MainWindow::updateTitle() {
@@ -608,16 +607,16 @@ DocumentTab& MainWindow::addComputed(const Button& button) {
 
 void MainWindow::average(DocumentTab& tab) {
   std::vector<Button> units;
-  QStringList titles;
   std::size_t current = 0;
-  for (ButtonDocument* document : tabs_->documents()) {
+  const std::vector<ButtonDocument*> documents = tabs_->documents();
+  for (const ButtonDocument* document : documents) {
     if (document == &tab.document()) current = units.size();
     units.push_back(document->history().committed());
-    titles << document->title();
   }
   if (units.size() < 2)
     return statusBar()->showMessage(tr("Open a second button first: an average needs two."), messageTime_ms);
-  auto* dialog = new AverageDialog(std::move(units), titles, current, at_.view.units(), this);
+  auto* dialog =
+      new AverageDialog(std::move(units), distinctTitles(documents), current, at_.view.units(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
     if (dialog->spread()) openAverage(*dialog->spread(), dialog->titles());

@@ -409,10 +409,14 @@ void MainWindow::fillReferences(QMenu& menu) {
   add(tr("This button as it is &now"),
       Reference{canvas.state(), tr("%1 (version)").arg(tab->document().title())});
   menu.addSeparator();
-  for (ButtonDocument* document : tabs_->documents())
-    if (document != &tab->document())
-      add(document->title().replace('&', "&&"),
-          Reference{document->button().states()[document->activeState()], document->title()});
+  const std::vector<ButtonDocument*> documents = tabs_->documents();
+  const QStringList titles = distinctTitles(documents);
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    const QString& title = titles[static_cast<qsizetype>(i)];
+    if (documents[i] != &tab->document())
+      add(QString(title).replace('&', "&&"),
+          Reference{documents[i]->button().states()[documents[i]->activeState()], title});
+  }
 }
 
 QList<QAction*> MainWindow::allActions() const {

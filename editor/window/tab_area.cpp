@@ -41,7 +41,10 @@ TabArea::TabArea(WelcomePage* welcome, ViewSettings& settings, QWidget* parent)
   addWidget(tabs_);
   connect(tabs_, &QTabWidget::currentChanged, this, [this](int index) { emit currentTabChanged(at(index)); });
   connect(tabs_, &QTabWidget::tabCloseRequested, this, [this](int index) { emit closeRequested(at(index)); });
-  connect(tabs_->tabBar(), &QTabBar::tabMoved, this, &TabArea::documentsChanged);
+  connect(tabs_->tabBar(), &QTabBar::tabMoved, this, [this] {
+    updateTitles();
+    emit documentsChanged();
+  });
 }
 
 TabArea::~TabArea() {
@@ -53,10 +56,10 @@ DocumentTab* TabArea::at(int index) const { return qobject_cast<DocumentTab*>(ta
 
 DocumentTab& TabArea::add(std::unique_ptr<ButtonDocument> document) {
   auto* tab = new DocumentTab(std::move(document), settings_);
-  connect(&tab->document(), &ButtonDocument::titleChanged, this, [this, tab] { updateTitle(*tab); });
+  connect(&tab->document(), &ButtonDocument::titleChanged, this, &TabArea::updateTitles);
   emit tabAdded(tab);
   const int index = tabs_->addTab(tab, QString());
-  updateTitle(*tab);
+  updateTitles();
   setCurrentWidget(tabs_);
   tabs_->setCurrentIndex(index);
   tab->workspace().setFocus();  // the page that was hidden had the keyboard focus
@@ -68,20 +71,22 @@ void TabArea::remove(DocumentTab& tab) {
   emit tabClosing(&tab);
   tab.document().disconnect(this);
   tabs_->removeTab(tabs_->indexOf(&tab));
+  updateTitles();
   if (tabs_->count() == 0) setCurrentIndex(0);
   tab.hide();
   tab.deleteLater();  // later, because the click may come from a button inside this tab
   emit documentsChanged();
 }
 
-void TabArea::updateTitle(DocumentTab& tab) {
-  const int index = tabs_->indexOf(&tab);
-  const ButtonDocument& document = tab.document();
-  QString text = document.title();
-  text.replace('&', "&&");
-  tabs_->setTabText(index, document.history().modified() ? text + " *" : text);
-  tabs_->setTabToolTip(
-      index, document.path().isEmpty() ? tr("Not saved yet") : QDir::toNativeSeparators(document.path()));
+void TabArea::updateTitles() {
+  QStringList titles = distinctTitles(documents());
+  for (int i = 0; i < tabs_->count(); ++i) {
+    const ButtonDocument& document = at(i)->document();
+    titles[i].replace('&', "&&");
+    tabs_->setTabText(i, document.history().modified() ? titles[i] + " *" : titles[i]);
+    tabs_->setTabToolTip(
+        i, document.path().isEmpty() ? tr("Not saved yet") : QDir::toNativeSeparators(document.path()));
+  }
 }
 
 DocumentTab* TabArea::current() const { return at(tabs_->currentIndex()); }

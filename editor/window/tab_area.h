@@ -46,7 +46,7 @@ class TabArea : public QStackedWidget {
   void documentsChanged();
 
  private:
-  void updateTitle(DocumentTab& tab);
+  void updateTitles();
   DocumentTab* at(int index) const;
   ViewSettings& settings_;
   QTabWidget* tabs_;

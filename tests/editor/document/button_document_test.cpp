@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/document/button_document.h"
 
+#include <memory>
+
 #include <catch2/catch.hpp>
 
 #include "editor/document/view_settings.h"
@@ -43,6 +45,33 @@ TEST_CASE("A document is called after its file, else after its button") {
   document.setPath("/somewhere/log.2024.csv");
   CHECK(document.title() == "log.2024");
   CHECK(ButtonDocument(rename(latch(), "").value()).title() == "Untitled");
+}
+
+TEST_CASE("Open buttons of one title are distinguished by file, folder or number, in their order") {
+  struct Case {
+    std::vector<const char*> paths;  // "": not saved; every button is named "Blue"
+    QStringList titles;
+  };
+  const Case cases[] = {
+      {{""}, {"Blue"}},
+      {{"/a/Blue.button.json", "/a/Red.button.json"}, {"Blue", "Red"}},
+      {{"", "/a/Blue.button.json"}, {"Blue (not saved)", "Blue (Blue.button.json)"}},
+      {{"/a/Blue.png", "/a/Blue.button.json"}, {"Blue (Blue.png)", "Blue (Blue.button.json)"}},
+      {{"/a/Blue.png", "/b/Blue.png"}, {"Blue (a/Blue.png)", "Blue (b/Blue.png)"}},
+      {{"/a/Blue.png", "/b/Blue.png", ""}, {"Blue (a/Blue.png)", "Blue (b/Blue.png)", "Blue (not saved)"}},
+      {{"", "/x/Red.png", ""}, {"Blue (not saved, 1)", "Red", "Blue (not saved, 2)"}},
+      {{"/1/a/Blue.png", "/2/a/Blue.png"}, {"Blue (a/Blue.png, 1)", "Blue (a/Blue.png, 2)"}},
+  };
+  for (const Case& each : cases) {
+    std::vector<std::unique_ptr<ButtonDocument>> owned;
+    std::vector<ButtonDocument*> documents;
+    for (const char* path : each.paths) {
+      owned.push_back(std::make_unique<ButtonDocument>(rename(latch(), "Blue").value()));
+      owned.back()->setPath(path);
+      documents.push_back(owned.back().get());
+    }
+    CHECK(distinctTitles(documents).join("; ").toStdString() == each.titles.join("; ").toStdString());
+  }
 }
 
 TEST_CASE("The shown graph is that of the active state, and follows a drag") {

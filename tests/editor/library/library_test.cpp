@@ -261,8 +261,10 @@ class LibraryTest : public QObject {
     dialog.findChild<QPushButton*>("compareAdd")->click();
     QCOMPARE(dialog.findChild<QComboBox*>("compareButtonC")->currentIndex(), 2);  // the one not there yet
     QCOMPARE(table->columnCount(), 7);
-    QVERIFY(dialog.tableText().startsWith(
-        "figure,\"tactile\",\"linear\",\"tactile #2\",\"linear - tactile\",\"tactile #2 - tactile\",unit\n"));
+    QVERIFY(
+        dialog.tableText().startsWith("figure,\"tactile (not saved, 1)\",\"linear\",\"tactile (not saved, "
+                                      "2)\",\"linear - tactile (not saved, "
+                                      "1)\",\"tactile (not saved, 2) - tactile (not saved, 1)\",unit\n"));
     // The largest force of C is twice that of A, so what it has more is A's own.
     for (int row = 0; row < table->rowCount(); ++row)
       if (table->item(row, 0)->text() == "Press: largest force")
@@ -276,7 +278,7 @@ class LibraryTest : public QObject {
     QTest::mouseMove(plot, at(1));
     const double shown_mm = plot->xAxis->pixelToCoord(at(1).x());
     const double force_cN = 100 * a.graph().press().force_N(shown_mm);
-    QTRY_VERIFY(reading->text().contains("tactile press " + numberText(force_cN, 4)));
+    QTRY_VERIFY(reading->text().contains("tactile (not saved, 1) press " + numberText(force_cN, 4)));
     QTest::mouseClick(plot, Qt::LeftButton, {}, at(1));
     QTest::mouseMove(plot, at(2));
     QTRY_VERIFY(reading->text().contains("Difference from the pinned cursor"));
@@ -287,6 +289,25 @@ class LibraryTest : public QObject {
     QVERIFY(!dialog.findChild<QPushButton*>("compareRemove")->isEnabled());
     c.history().apply(*linearButton(), "Linear");  // no longer compared: nothing dangles
     QTest::qWait(80);
+  }
+
+  // The names follow the order of the tabs, whichever side a button is on.
+  void buttonsOfOneTitleAreDistinguished() {
+    ViewSettings settings;
+    ButtonDocument original(*tactileButton()), copy(*scaleForce(*tactileButton(), 2)), other(*linearButton());
+    original.setPath("/work/old/tactile.button.json");
+    ComparePanel panel(settings);
+    panel.setDocuments({&original, &copy, &other});
+    panel.compare(&copy, &original);
+    panel.show();
+    const auto heads = [&] { return panel.tableText().section('\n', 0, 0).section(',', 1, 2); };
+    QCOMPARE(heads(), QString("\"tactile (not saved)\",\"tactile (tactile.button.json)\""));
+    QCOMPARE(panel.findChild<QComboBox*>("compareButtonB")->currentText(), "tactile (tactile.button.json)");
+    copy.setPath("/work/new/tactile.button.json");
+    QTRY_COMPARE(heads(),
+                 QString("\"tactile (new/tactile.button.json)\",\"tactile (old/tactile.button.json)\""));
+    copy.setPath("/work/new/softer.button.json");
+    QTRY_COMPARE(heads(), QString("\"softer\",\"tactile\""));
   }
 
   /// 1366 x 768 at scale 2: six buttons scroll, and their controls stay visible.

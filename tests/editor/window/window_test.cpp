@@ -1718,6 +1718,21 @@ class WindowTest : public QObject {
     }
   }
 
+  void tabsOfOneTitleAreDistinguished() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/C.button.json")});
+    rig.action("duplicate")->trigger();
+    auto* bar = rig.window->findChild<QTabBar*>("tabBar");
+    const QString title = bar->tabText(1);
+    QVERIFY2(title.endsWith(" *") && !title.contains("not saved"), qPrintable(title));
+    rig.action("duplicate")->trigger();
+    QCOMPARE(bar->tabText(0), QString("C"));
+    for (int copy = 1; copy <= 2; ++copy)
+      QCOMPARE(bar->tabText(copy), QString("%1 (not saved, %2) *").arg(title.chopped(2)).arg(copy));
+    rig.window->tabs().remove(*rig.window->tabs().all()[1]);
+    QCOMPARE(bar->tabText(1), title);
+  }
+
   void chosenPairOfAComparisonIsKept() {
     Rig rig(folder_->path());
     rig.window->files().open(
