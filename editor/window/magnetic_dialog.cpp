@@ -17,6 +17,7 @@
 #include "editor/canvas/unit_ticker.h"
 #include "editor/document/form_widgets.h"
 #include "editor/document/message_words.h"
+#include "model/file/svg_plot.h"
 #include "model/sampling.h"
 
 namespace detent::editor {
@@ -264,7 +265,7 @@ void MagneticDialog::drawCurves(const std::vector<KeyEvent>& events) {
                             closes ? color : colors.background, eventSize_px});
     marks->setName(closes ? tr("Key closes") : tr("Key opens"));
   }
-  plot_->xAxis->setRange(0, units_.lengthFrom(graph.travel_mm()));
+  plot_->xAxis->setRange(0, (1 + SvgPlotStyle().roomBeyondEnd) * units_.lengthFrom(graph.travel_mm()));
   plot_->yAxis->rescale();
   plot_->yAxis->setRangeLower(std::min(0.0, plot_->yAxis->range().lower));
 }

@@ -37,9 +37,11 @@ MagneticKeySettings settingsFor(const ButtonState& state, double actuate_mm) {
   constexpr double usualDifferential_mm = 0.1;
   MagneticKeySettings settings;
   settings.actuate_mm = actuate_mm;
-  const double differential_mm = state.operatingPoint_mm && state.resetPoint_mm
-                                     ? *state.operatingPoint_mm - *state.resetPoint_mm
-                                     : usualDifferential_mm;
+  const double measured_mm = state.operatingPoint_mm && state.resetPoint_mm
+                                 ? *state.operatingPoint_mm - *state.resetPoint_mm
+                                 : usualDifferential_mm;
+  // A contact may open where it closes; rapid trigger needs two points.
+  const double differential_mm = measured_mm > 0 ? measured_mm : usualDifferential_mm;
   settings.reset_mm = std::max(0.0, actuate_mm - differential_mm);
   settings.travel_mm = state.graph.travel_mm();
   return settings;

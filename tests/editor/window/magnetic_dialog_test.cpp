@@ -57,6 +57,14 @@ class MagneticDialogTest : public QObject {
       QVERIFY2(header(dialog).contains(line), line);
   }
 
+  // A acts and resets at 2 mm: a key that could not be exported as it opens.
+  void aKeyThatOpensWhereItClosesGetsTheUsualReleasePoint() {
+    MagneticDialog dialog(magneticSample("A"), {});
+    dialog.show();
+    QVERIFY(header(dialog).contains("DETENT_ACTUATE_UM 2000"));
+    QVERIFY(header(dialog).contains("DETENT_RESET_UM 1900"));
+  }
+
   void theReleasePointFollowsUntilItIsTyped() {
     MagneticDialog dialog(magneticSample("C"), {});
     dialog.show();
