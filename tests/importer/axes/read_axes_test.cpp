@@ -720,12 +720,13 @@ TEST_CASE("an uneven scale is named as the reason even where some of its labels 
     std::vector<const char*> travels;
     std::vector<double> ticks;  // from the left edge
   };
-  const Scale scales[] = {{"the x axis cannot be used: it has categories instead of a scale",
-                           {"0", "0.1", "0.2", "0.3", "0.8", "1.7", "2.6", "3.5", "4.6"},
-                           {0, 1, 2, 3, 4, 5, 6, 7, 8}},
-                          {"the x axis cannot be used: it is broken: its numbers go on at another distance",
-                           {"0", "0.5", "1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0"},
-                           {0, 1, 2, 3, 4, 4.5, 5.2, 5.9, 6.6}}};
+  const Scale scales[] = {
+      {"the x axis cannot be used: it has categories instead of a scale",
+       {"0", "0.1", "0.2", "0.3", "0.8", "1.7", "2.6", "3.5", "4.6"},
+       {0, 1, 2, 3, 4, 5, 6, 7, 8}},
+      {"the x axis cannot be used: it has a break, after which the numbers stand at another spacing",
+       {"0", "0.5", "1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0"},
+       {0, 1, 2, 3, 4, 4.5, 5.2, 5.9, 6.6}}};
   PlotStyle s;
   AxisHints none, given;
   given.xMin = 0, given.xMax = 4.6;
