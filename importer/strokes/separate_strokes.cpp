@@ -519,9 +519,9 @@ bool leadDownUnder(CurveTrace& own, CurveTrace other) {
 }
 
 /// Extends `own` along `other` to the end of the travel. A release begins where the press ends, so a stroke
-/// that stops on the other one, shortly before that one ends, is hidden under it. Returns true if it was
-/// extended.
-bool leadUpUnder(CurveTrace& own, CurveTrace other) {
+/// that stops under the other one, shortly before that one ends, is hidden by it. `cover`: largest distance
+/// between their middles, as a share of their width. Returns true if it was extended.
+bool leadUpUnder(CurveTrace& own, CurveTrace other, double cover) {
   constexpr double least = 0.05,
                    most = 0.1;     // smallest and largest hidden part: of the other's height; of its width
   constexpr double onwards = 0.7;  // cosine
@@ -533,7 +533,7 @@ bool leadUpUnder(CurveTrace& own, CurveTrace other) {
   const Point end = own.points_px.back(), tip = other.points_px.back();
   const auto near = std::ranges::min_element(other.points_px, {}, [&](Point p) { return distance(p, end); });
   const auto widthOf = [](const CurveTrace& t) { return t.width_px.empty() ? 1 : t.width_px.back(); };
-  if (distance(*near, end) > 0.5 * (widthOf(own) + widthOf(other)) + 0.5) return false;
+  if (distance(*near, end) > cover * 0.5 * (widthOf(own) + widthOf(other)) + 0.5) return false;
   if (near + 1 >= other.points_px.end() || end.y - tip.y <= least * (lowest.y - top.y)) return false;
   if (tip.x - end.x > most * (end.x - own.points_px.front().x)) return false;
   const auto at = static_cast<std::size_t>(near - other.points_px.begin());
@@ -607,8 +607,12 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
       for (CurveTrace& stroke : strokes)
         if (&other != &switches[*chosen]) led = leadDownUnder(stroke, traces[t]) || led;
   if (led) assumed.push_back({EvidenceCode::startUnderAnother});
-  if (strokes.size() == 2 && strokes[0].color != strokes[1].color && !leadUpUnder(strokes[0], strokes[1]))
-    leadUpUnder(strokes[1], strokes[0]);
+  // A press whose end touches its release reaches the force from which that comes back. A release farther
+  // from the press's middle is seen to its end (docs/develop/decisions/0509-bottom-outs-on-lines.md).
+  constexpr double ofPress = 1, ofRelease = 0.2;
+  if (strokes.size() == 2 && strokes[0].color != strokes[1].color &&
+      !leadUpUnder(strokes[0], strokes[1], ofPress))
+    leadUpUnder(strokes[1], strokes[0], ofRelease);
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(strokes.front(), traces[t])) return hiddenEnd();

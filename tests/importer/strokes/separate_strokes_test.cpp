@@ -226,6 +226,20 @@ TEST_CASE(
   REQUIRE(led.ok());
   CHECK(led->value.release->points.front().force_N == Approx(whole_N).margin(0.03));
   CHECK(separate({cutAt(0.8), press})->value.release->points.front().force_N == Approx(whole_N).margin(0.03));
+  // Seen beside its press to its end, a release begins there; a press reaches its release's force anyway.
+  for (const double beside_px : {1.0, 2.2}) {
+    CAPTURE(beside_px);
+    CurveTrace seen = cutAt(0.8);
+    for (Point& p : seen.points_px) p.x += beside_px;
+    const double start_N = separate({press, seen})->value.release->points.front().force_N;
+    CHECK(start_N == Approx(beside_px < 2 ? whole_N : 0.8).margin(0.03));
+    CurveTrace shortPress = press;
+    while (shortPress.points_px.back().y < 450 - 200 * 0.8)
+      shortPress.points_px.pop_back(), shortPress.width_px.pop_back();
+    for (Point& p : shortPress.points_px) p.x += beside_px;
+    const double reached_N = separate({shortPress, release})->value.press.points.back().force_N;
+    CHECK(reached_N == Approx(whole_N).margin(0.03));
+  }
   CurveTrace across = cutAt(0.69);  // comes to the start of the bottom-out level
   across.points_px.push_back({press.points_px.back().x, across.points_px.back().y});
   across.width_px.push_back(4);
