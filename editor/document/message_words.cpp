@@ -103,6 +103,12 @@ QString inWords(const MessageValue& value, const DisplayUnits& units) {
   return parts.join(QStringLiteral("; "));
 }
 
+/// The name of an option of the command line, which a window does not have.
+const QRegularExpression& optionName() {
+  static const QRegularExpression option(QStringLiteral("(^|[\\s(:])--[a-z][a-z0-9-]*"));
+  return option;
+}
+
 QString withFullStop(const QString& text) {
   const bool ends = text.endsWith('.') || text.endsWith('!') || text.endsWith('?');
   return ends ? text : text + '.';
@@ -131,15 +137,12 @@ QString shortened(const QString& text, int longest) {
   return text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026);
 }
 
-bool namesAnOption(const QString& text) {
-  static const QRegularExpression option(QStringLiteral("(^|[\\s(:])--[a-z]"));
-  return option.match(text).hasMatch();
-}
+bool namesAnOption(const QString& text) { return optionName().match(text).hasMatch(); }
 
 QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
   QStringList where;
-  const QString subject = inWords(failure.subject.name, units);
-  if (!subject.isEmpty() && !namesAnOption(subject)) where << subject;
+  const QString subject = inWords(failure.subject.name, units).remove(optionName()).trimmed();
+  if (!subject.isEmpty()) where << subject;
   if (!failure.place.empty()) where << inWords(failure.place, units);
   const QString problem = withFullStop(inWords(failure.problem, units));
   QString text = where.isEmpty() ? asSentence(problem) : where.join(QStringLiteral(", ")) + ": " + problem;

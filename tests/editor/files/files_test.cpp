@@ -134,9 +134,13 @@ class FilesTest : public QObject {
   }
 
   void aSentenceNamesNoOptionOfTheCommandLine() {
-    const Failure failure{FailureCode::wrongUsage, Subject::option("--press"), "",
-                          Message("this press produces no vibration"), Message("Press deeper")};
-    QCOMPARE(sentenceOf(failure), QString("This press produces no vibration. Press deeper."));
+    const auto said = [](const Subject& subject) {
+      return sentenceOf(
+          {FailureCode::wrongUsage, subject, "", Message("nothing moves"), Message("Press deeper")});
+    };
+    QCOMPARE(said(Subject::option("--press")), QString("Nothing moves. Press deeper."));
+    QCOMPARE(said("--device sim:kite"), QString("sim:kite: nothing moves. Press deeper."));
+    QCOMPARE(said("press trace"), QString("press trace: nothing moves. Press deeper."));
   }
 
   void aCsvOpensAsANewDocument() {

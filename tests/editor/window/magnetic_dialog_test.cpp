@@ -197,8 +197,8 @@ class MagneticDialogTest : public QObject {
       MagneticDialog dialog(magneticSample(name), units);
       dialog.resize(dialog.minimumSizeHint());
       (void)dialog.grab();
-      QCOMPARE(said(dialog, "magneticEvents").isEmpty(), !accept(dialog)->isEnabled());
-      QCOMPARE(accept(dialog)->isEnabled(), QString(name) != "A");  // A opens where it closes
+      QVERIFY(accept(dialog)->isEnabled());
+      QVERIFY(!said(dialog, "magneticEvents").isEmpty());
     }
   }
 
