@@ -418,7 +418,7 @@ TEST_CASE("what cannot be read is refused with name, problem and remedy") {
       {claiming(png, 100000, 100000), "huge.png", "100000 x 100000"},
       {Bytes(text.begin(), text.end()), "text.png", "plain text"},
       {png, "plot.pdf", "PNG picture"},
-      {Bytes{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0}, "head.png", "no size"},
+      {Bytes{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0}, "head.png", "no width"},
       {claiming(png, 31, 30), "lies.png", "damaged"},
   };
   for (const Case& c : cases) {
