@@ -118,7 +118,7 @@ TEST_CASE("fitted force: a slow link is put down to this computer or to the devi
   pace.roundTrip_s = 0.008;
   pace.computer_s = 0.006;
   const std::string busy = tooSteepFor(simulatedDevice(), pace, least, 0.5).sentence();
-  CHECK(busy.find("This computer is too slow: it takes 6 ms") != std::string::npos);
+  CHECK(busy.find("This computer is too slow: a message to itself takes 6 ms") != std::string::npos);
   CHECK(busy.find("device is too slow") == std::string::npos);
   pace.computer_s = 0.0002;
   const std::string slow = tooSteepFor(simulatedDevice(), pace, least, 0.5).sentence();
