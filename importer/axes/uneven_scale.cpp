@@ -139,7 +139,7 @@ std::string unevenScaleIn(const AxisLabels& labels, Axis axis) {
     all.emplace_back(axis == Axis::x ? middle.x : middle.y, labels.readings[i].front().value);
     if (labels.words[i].confidence >= readWithCertainty) certain.push_back(all.back());
   }
-  const std::string scale = unevenScaleOf(std::move(certain));
+  std::string scale = unevenScaleOf(std::move(certain));
   if (!scale.empty()) return scale;
   // Two runs of one step confirm the labels that were read with doubt.
   return unevenScaleOf(std::move(all)) == brokenScale ? brokenScale : "";
