@@ -39,8 +39,8 @@ double stepOf(const std::vector<std::pair<double, double>>& labels) {
   return step;
 }
 
-/// Returns true if at most one label is off the line of the others: misread, or beside its tick as the zero in
-/// a corner is.
+/// Returns true if at most one label is off the line of the others: misread, or beside its tick as the zero
+/// in a corner is.
 bool fitsButForOne(const std::vector<std::pair<double, double>>& labels, double fits) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     auto others = labels;

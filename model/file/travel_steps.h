@@ -13,9 +13,9 @@ namespace detent {
 /// Limit of travels for one table.
 inline constexpr std::size_t mostTravelSteps = 100000;
 
-/// Returns each multiple of `step_mm` that the press passes, where the bottom-outs of both strokes begin, and
-/// the press's end, increasing. Failure wrongUsage: the
-/// step is not above 0, or gives more than mostTravelSteps travels.
+/// Returns, increasing: each multiple of `step_mm` that the press passes, the beginnings of both strokes'
+/// bottom-outs, and the press's end. Failure wrongUsage: the step is not above 0, or gives more than
+/// mostTravelSteps travels.
 Result<std::vector<double>> travelsAtEach(double step_mm, const ForceGraph& graph);
 
 /// Returns `travels_mm` if the press passes all of them. Failure wrongUsage: there is none, or one lies

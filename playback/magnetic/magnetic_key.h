@@ -50,7 +50,7 @@ struct MagneticKeySettings {
 };
 
 /// Settings of a key that acts at `actuate_mm`, without rapid trigger: its release point lies as far above as
-/// the state's reset point above its operating point, 0.1 mm where the state lacks one or both are one point.
+/// the state's reset point above its operating point; 0.1 mm where the state lacks one, or both are one.
 MagneticKeySettings settingsFor(const ButtonState& state, double actuate_mm);
 
 /// Failure wrongUsage about the setting that contradicts another or the travel, with what to set instead.

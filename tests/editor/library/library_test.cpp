@@ -295,7 +295,7 @@ class LibraryTest : public QObject {
   void buttonsOfOneTitleAreDistinguished() {
     ViewSettings settings;
     ButtonDocument original(*tactileButton()), copy(*scaleForce(*tactileButton(), 2)), other(*linearButton());
-    original.setPath("/work/old/tactile.button.json");
+    original.setPath("/buttons/old/tactile.button.json");
     ComparePanel panel(settings);
     panel.setDocuments({&original, &copy, &other});
     panel.compare(&copy, &original);
@@ -303,10 +303,10 @@ class LibraryTest : public QObject {
     const auto heads = [&] { return panel.tableText().section('\n', 0, 0).section(',', 1, 2); };
     QCOMPARE(heads(), QString("\"tactile (not saved)\",\"tactile (tactile.button.json)\""));
     QCOMPARE(panel.findChild<QComboBox*>("compareButtonB")->currentText(), "tactile (tactile.button.json)");
-    copy.setPath("/work/new/tactile.button.json");
+    copy.setPath("/buttons/new/tactile.button.json");
     QTRY_COMPARE(heads(),
                  QString("\"tactile (new/tactile.button.json)\",\"tactile (old/tactile.button.json)\""));
-    copy.setPath("/work/new/softer.button.json");
+    copy.setPath("/buttons/new/softer.button.json");
     QTRY_COMPARE(heads(), QString("\"softer\",\"tactile\""));
   }
 
