@@ -155,9 +155,14 @@ void BatchDialog::fill(QTreeWidgetItem& item, const QString& name, const QString
   showResult(item);
 }
 
+const BatchDialog::Row* BatchDialog::rowOf(const QTreeWidgetItem& item) const {
+  const QVariant row = item.data(nameColumn, rowRole);
+  return row.isValid() ? &rows_[static_cast<std::size_t>(row.toInt())] : nullptr;
+}
+
 /// Shows the result of a row, and with it the number of buttons of its file.
 void BatchDialog::showResult(QTreeWidgetItem& item) {
-  const BatchResult& result = rows_[static_cast<std::size_t>(item.data(nameColumn, rowRole).toInt())].result;
+  const BatchResult& result = rowOf(item)->result;
   item.setText(resultColumn, inShort(result));
   item.setText(detailsColumn, result.question.isEmpty() ? result.reason : result.question);
   item.setToolTip(detailsColumn, result.reason);
@@ -165,8 +170,8 @@ void BatchDialog::showResult(QTreeWidgetItem& item) {
   if (!file) return;
   int buttons = 0;
   for (int i = 0; i < file->childCount(); ++i) {
-    const int row = file->child(i)->data(nameColumn, rowRole).toInt();
-    buttons += rows_[static_cast<std::size_t>(row)].result.button.has_value();
+    const Row* row = rowOf(*file->child(i));
+    buttons += row && row->result.button;
   }
   file->setText(resultColumn, tr("%1 of %2").arg(buttons).arg(file->childCount()));
 }
@@ -177,12 +182,11 @@ void BatchDialog::takeChecked(const QString& path, const importer::ImportReport&
   QTreeWidgetItem *same = nullptr, *refused = nullptr;
   int ofFile = 0;
   for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-    const QVariant row = (*each)->data(nameColumn, rowRole);
-    if (!row.isValid() || rows_[static_cast<std::size_t>(row.toInt())].path != path) continue;
-    const BatchResult& result = rows_[static_cast<std::size_t>(row.toInt())].result;
+    const Row* row = rowOf(**each);
+    if (!row || row->path != path) continue;
     ++ofFile;
-    if (result.graph == graph || result.graph.page == 0) same = *each;
-    if (!result.button) refused = *each;
+    if (row->result.graph == graph || row->result.graph.page == 0) same = *each;
+    if (!row->result.button) refused = *each;
   }
   QTreeWidgetItem* item = same ? same : ofFile == 1 ? refused : nullptr;
   if (!item) return;
@@ -214,8 +218,7 @@ void BatchDialog::showProgress() {
 void BatchDialog::ended() {
   for (int file = 0; file < list_->topLevelItemCount(); ++file) {
     QTreeWidgetItem& item = *list_->topLevelItem(file);
-    if (item.childCount() == 0 && !item.data(nameColumn, rowRole).isValid())
-      item.setText(resultColumn, tr("Stopped"));
+    if (item.childCount() == 0 && !rowOf(item)) item.setText(resultColumn, tr("Stopped"));
   }
   follow();
 }
@@ -237,19 +240,17 @@ std::vector<const BatchDialog::Row*> BatchDialog::chosen() const {
   std::vector<const Row*> rows;
   for (QTreeWidgetItemIterator each(list_); *each; ++each) {
     const QTreeWidgetItem& item = **each;
-    const QVariant row = item.data(nameColumn, rowRole);
+    const Row* row = rowOf(item);
     const bool wanted = all || item.isSelected() || (item.parent() && item.parent()->isSelected());
-    if (!wanted || !row.isValid()) continue;
-    const Row& candidate = rows_[static_cast<std::size_t>(row.toInt())];
-    if (candidate.result.button) rows.push_back(&candidate);
+    if (wanted && row && row->result.button) rows.push_back(row);
   }
   return rows;
 }
 
 void BatchDialog::correct(const QTreeWidgetItem& item) {
-  const QVariant row = item.data(nameColumn, rowRole);
+  const Row* row = rowOf(item);
   const QTreeWidgetItem& file = item.parent() ? *item.parent() : item;
-  const GraphId graph = row.isValid() ? rows_[static_cast<std::size_t>(row.toInt())].result.graph : GraphId{};
+  const GraphId graph = row ? row->result.graph : GraphId{};
   at_.correct(paths_[list_->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(&file))], graph);
 }
 

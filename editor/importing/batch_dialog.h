@@ -45,6 +45,8 @@ class BatchDialog : public QDialog {
   QLayout* actionRow();
   void take(int file, const std::vector<BatchResult>& results);
   void fill(QTreeWidgetItem& item, const QString& name, const QString& path, const BatchResult& result);
+  /// The row of a list's item; null for a file that has items of its own, or no result yet.
+  const Row* rowOf(const QTreeWidgetItem& item) const;
   void showResult(QTreeWidgetItem& item);
   void showProgress();
   void follow();
