@@ -120,6 +120,10 @@ std::array<int, 2> timesOver(const std::vector<double>& ofPress, const std::vect
   const auto pressSteps = [&](std::size_t a, std::size_t b) {
     return std::abs(ofPress[a] - ofPress[b]) > std::abs(ofRelease[a] - ofRelease[b]);
   };
+  // Back means to the side that it came from: a bottom-out in front of the other one lies on the other side.
+  const auto onOneSide = [&](std::size_t a, std::size_t b) {
+    return (ofPress[a] < ofRelease[a]) == (ofPress[b] < ofRelease[b]);
+  };
   const auto between = [](std::size_t a, std::size_t b) { return static_cast<double>(b - a); };
   std::array<int, 2> times{};
   const std::size_t none = ofPress.size();
@@ -135,7 +139,8 @@ std::array<int, 2> timesOver(const std::vector<double>& ofPress, const std::vect
     if (!(apart_px >= least.height * height_px)) continue;
     const bool isOver = lastApart != none && first != none && between(lastApart, first) <= aside &&
                         between(last, x) <= aside && between(first, last) >= least.leastAlong * columns;
-    if (isOver && pressSteps(lastApart, first) == pressSteps(last, x)) ++times[pressSteps(last, x) ? 1 : 0];
+    if (isOver && onOneSide(lastApart, x) && pressSteps(lastApart, first) == pressSteps(last, x))
+      ++times[pressSteps(last, x) ? 1 : 0];
     lastApart = x;
     first = none;
   }

@@ -436,6 +436,10 @@ TEST_CASE("a stroke that steps onto the other one and back was led along what wa
   import.press = {{0, 0.2}, {1, 0.9}, {1.02, 0.5}, {2, 0.7}, {3, 0.9}, { 3.2, 1.6 }};
   import.release = {{3.2, 1.6}, {3, 0.7}, {2.03, 0.5}, {2, 0.7}, {1.02, 0.5}, { 0, 0.1 }};
   CHECK_FALSE(import.doubted(DoubtCode::strokesCoincide));
+  // A tester's curve: the release comes up to the press on the way, and its bottom-out stands in front.
+  import.press = {{0, 0.5}, {0.5, 0.65}, {2, 0.4}, {2.5, 0.55}, {3.16, 0.65}, { 3.2, 1.6 }};
+  import.release = {{3.17, 1.6}, {3.13, 0.65}, {2.55, 0.55}, {2.5, 0.45}, {2, 0.2}, { 0, 0.1 }};
+  CHECK_FALSE(import.doubted(DoubtCode::strokesCoincide));
 }
 
 TEST_CASE("a release that jumps onto the press in the gaps of its dashes was traced along the wrong line") {
