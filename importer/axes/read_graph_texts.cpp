@@ -24,6 +24,8 @@ constexpr std::size_t maxLines = 24;   // a view with more text is a page, not a
 constexpr double minConfidence = 0.5;  // dashes and arrows that were read as text have less
 constexpr int minLetters = 3;
 
+int pixelAt(double at_px) { return static_cast<int>(std::lround(at_px)); }
+
 /// Median darkness of the gridlines, without the frame's own edges; 0 without a grid. Marks that are darker
 /// are letters, even where gridlines cross them.
 int gridDarkness(const cv::Mat& d, const PlotFrame& frame) {
@@ -39,12 +41,49 @@ int gridDarkness(const cv::Mat& d, const PlotFrame& frame) {
   return medianOf(std::move(colours));
 }
 
+/// Fills a gridline between `from_px` and `to_px` of its length from both its sides: letters across it stay.
+/// `isColumn`: the line runs down the page.
+void clearLine(Raster& raster, cv::Mat& darkness, const GridLine& line, double from_px, double to_px,
+               bool isColumn) {
+  constexpr double edge_px = 1;  // a line is softened so far beyond its width
+  const double reach_px = 0.5 * line.width_px + edge_px;
+  const int before = pixelAt(line.position_px - reach_px) - 1,
+            behind = pixelAt(line.position_px + reach_px) + 1,
+            across = isColumn ? darkness.cols : darkness.rows,
+            along = isColumn ? darkness.rows : darkness.cols;
+  if (before < 0 || behind >= across) return;
+  const auto placeOf = [&](int at, int i) { return isColumn ? cv::Point(at, i) : cv::Point(i, at); };
+  const auto byteOf = [&](cv::Point p, int channel) -> std::uint8_t& {
+    return raster.rgb[static_cast<std::size_t>(raster.at(p.x, p.y) - raster.rgb.data() + channel)];
+  };
+  for (int i = std::max(0, pixelAt(from_px)); i <= std::min(along - 1, pixelAt(to_px)); ++i) {
+    const cv::Point low = placeOf(before, i), high = placeOf(behind, i);
+    for (int at = before + 1; at < behind; ++at) {
+      const double share = static_cast<double>(at - before) / (behind - before);
+      const auto between = [share](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(std::lerp(double(a), double(b), share)));
+      };
+      const cv::Point p = placeOf(at, i);
+      for (int channel = 0; channel < 3; ++channel)
+        byteOf(p, channel) = between(byteOf(low, channel), byteOf(high, channel));
+      darkness.at<std::uint8_t>(p) = between(darkness.at<std::uint8_t>(low), darkness.at<std::uint8_t>(high));
+    }
+  }
+}
+
+/// Clears the gridlines inside a plot, for words as dark as they are.
+void clearGrid(Raster& raster, cv::Mat& darkness, const PlotFrame& frame) {
+  const Box box = frame.box();
+  for (const GridLine& line : frame.xLines)
+    if (line.spansFrame) clearLine(raster, darkness, line, box.y0, box.y1, true);
+  for (const GridLine& line : frame.yLines)
+    if (line.spansFrame) clearLine(raster, darkness, line, box.x0, box.x1, false);
+}
+
 double overlapShare(const Box& a, const Box& b) {
   const Box common = a.common(b);
   return common.empty() ? 0 : common.area() / std::max(1e-9, a.area());
 }
-
-int pixelAt(double at_px) { return static_cast<int>(std::lround(at_px)); }
 
 /// Colour of a mark's darkest pixel; {} outside the page.
 Rgb colorOf(const Raster& raster, const cv::Mat& darkness, const Box& mark) {
@@ -143,17 +182,22 @@ bool isLineLike(const Box& mark, const cv::Mat& marks) {
 
 /// The line of text without legend keys, leaders and arrowheads beside its letters.
 TextLine lettersOnly(const TextLine& line, const cv::Mat& marks) {
-  std::vector<double> heights;
-  for (const auto& g : line.glyphs)
-    if (g.height() > 0.4 * g.width()) heights.push_back(g.height());
+  std::vector<double> heights, middles_px;
+  for (const auto& g : line.glyphs) {
+    if (!(g.height() > 0.4 * g.width())) continue;
+    heights.push_back(g.height());
+    middles_px.push_back(g.middle().y);
+  }
   if (heights.empty()) return {};
-  const double usual = medianOf(heights);
+  const double usual = medianOf(heights), middle_px = medianOf(middles_px);
   TextLine kept;
   for (const auto& g : line.glyphs) {
     const bool dash = g.height() < 0.4 * usual && g.width() > 0.9 * usual;
     const bool atEnd = &g == &line.glyphs.front() || &g == &line.glyphs.back();
     const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual && isLineLike(g, marks);
-    if (dash || sample || g.height() > 1.8 * usual) continue;
+    // at the far end of a leader; parts of one Korean letter stand closer
+    const bool elsewhere = std::abs(g.middle().y - middle_px) > 2 * usual;
+    if (dash || sample || elsewhere || g.height() > 1.8 * usual) continue;
     kept.box = kept.glyphs.empty() ? g : kept.box.joined(g);
     kept.glyphs.push_back(g);
   }
@@ -262,12 +306,15 @@ int importance(const Box& line, const Box& frame) {
 
 }  // namespace
 
-void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes, const Progress& progress) {
+void readGraphTexts(const PageView& seenView, const PlotFrame& frame, AxesFound& axes,
+                    const Progress& progress) {
   const Box box = frame.box();
-  const cv::Mat d = darknessOf(view.raster, frame.paper);
+  cv::Mat d = darknessOf(seenView.raster, frame.paper);
   const int grid = gridDarkness(d, frame);
-  // Text darker than the grid is separated by its darkness. Where the grid is as dark, drawing programs leave
-  // it out behind text.
+  // Text darker than the grid is separated by its darkness.
+  std::optional<PageView> cleared;
+  if (grid >= 150) clearGrid((cleared = seenView)->raster, d, frame);
+  const PageView& view = cleared ? *cleared : seenView;
   const cv::Mat darkMarks = grid > 0 && grid < 150 ? marksAbove(d, grid + 30) : darkMaskOf(d);
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
@@ -307,9 +354,10 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   for (const auto& line : lines) {
     if (progress.isCancelled()) return;
     const bool besideSample = isBesideSample(line, marks, on);
-    auto seen = besideSample && line.glyphs.size() <= mostOfAName
-                    ? reader.readLineCarefully(line.box, TextKind::words)
-                    : reader.readLine(line.box, TextKind::words);
+    auto seen =
+        (cleared && box.contains(line.box.middle())) || (besideSample && line.glyphs.size() <= mostOfAName)
+            ? reader.readLineCarefully(line.box, TextKind::words)
+            : reader.readLine(line.box, TextKind::words);
     if (!digits.empty()) seen.utf8 = withKnownDigits(seen.utf8, lettersOf(darkMarks, line.box), digits);
     if (seen.confidence >= minConfidence && letterCountOfText(seen.utf8) >= minLetters) {
       seen.utf8 = withCyrillicWords(seen.utf8);

@@ -876,6 +876,24 @@ TEST_CASE("callouts and legend are read where they stand") {
   CHECK_FALSE(at("Press").empty());
 }
 
+TEST_CASE("words are read across gridlines as dark as they are") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.gridGrey = s.lineGrey;
+  Canvas c(s.width, s.height, 255);
+  drawInto(c, s);
+  c.text("operating point", 300, 95, 0, 0.7);  // lines of the grid at 280 and 370
+  c.text("reset point", 640, 430, 0, 0.7);     // at 640, and at 423 along the words
+  const auto axes = readWithTexts(c.grey());
+  const auto isWhole = [&](Point first, Point last) {  // letters on a line may be misread
+    return std::ranges::any_of(axes->texts, [&](const SeenText& t) {
+      return t.box.contains(first) && t.box.contains(last) && t.utf8.ends_with(" point");
+    });
+  };
+  CHECK(isWhole({225, 93}, {375, 93}));
+  CHECK(isWhole({590, 428}, {690, 428}));
+}
+
 TEST_CASE("the heading of a panel beside is read where the plot's own names the press") {
   if (skipWithoutEngine()) return;
   const auto headed = [](const std::string& own) {
