@@ -5,10 +5,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
+#include "importer/lexicon/stroke_words.h"
 #include "importer/page/polyline.h"
-#include "model/text.h"
 
 namespace detent::importer {
 namespace {
@@ -20,26 +19,32 @@ struct Phrase {
   std::string text;
 };
 
-bool holds(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
-
-/// The reset point is tested first, because "Rückschaltpunkt" contains "schaltpunkt".
-std::optional<CalloutKind> kindOf(const std::string& text) {
-  static constexpr std::array<std::string_view, 6> resetWords{"reset",       "rückschalt", "ruckschalt",
-                                                              "rueckschalt", "复位",       "リセット"};
-  static constexpr std::array<std::string_view, 6> operatingWords{"operating",   "operation", "actuation",
-                                                                  "schaltpunkt", "动作",      "作動"};
-  const std::string low = lowered(text);
-  for (const auto word : resetWords) {
-    if (holds(low, word)) return CalloutKind::resetPoint;
-  }
-  for (const auto word : operatingWords) {
-    if (holds(low, word)) return CalloutKind::operatingPoint;
-  }
-  return {};
+/// Returns true if a text has a word for a place on a curve: "point", "Position".
+bool namesAPlace(const std::string& text) {
+  return holdsSign(text, WordKind::point) ||
+         std::ranges::any_of(wordsOf(text), [](const std::string& word) { return isPointWord(word); });
 }
 
-/// Words of one line that are a space apart form one box, because the leader may start at any of them.
-Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
+/// The contact point that a text names; empty if it names none or both.
+std::optional<CalloutKind> kindOf(const std::string& text) {
+  bool closes = false, opens = false;
+  const auto take = [&](const LexiconEntry& entry) {
+    if (entry.value.ends_with(" at point") && !namesAPlace(text)) return;
+    (entry.value.starts_with("closes") ? closes : opens) = true;
+  };
+  for (const std::string& word : wordsOf(text)) {
+    // Misread letters do no harm: the leader to the curve is the other half of the proof.
+    const auto match = matchWord(word, {WordKind::contact}, TextSource::recognised);
+    if (match) take(*match->entry);
+  }
+  for (const LexiconEntry& entry : entriesOf(WordKind::contact))
+    if (entry.form == WordForm::sign && text.find(entry.word) != std::string::npos) take(entry);
+  if (closes == opens) return {};
+  return closes ? CalloutKind::operatingPoint : CalloutKind::resetPoint;
+}
+
+/// A text and the words of its line that are a space apart, because the leader may start at any of them.
+SeenText lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
   Box line = word.box;
   for (bool grown = true; grown;) {
     grown = false;
@@ -51,15 +56,20 @@ Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
       if (sameLine && near && whole.width() > line.width() + 0.5) line = whole, grown = true;
     }
   }
-  return line;
+  SeenText joined{.utf8 = {}, .box = line};
+  for (const SeenText& each : texts)
+    if (line.contains(each.box.middle())) joined.utf8 += (joined.utf8.empty() ? "" : " ") + each.utf8;
+  return joined;
 }
 
 std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
   std::vector<Phrase> phrases;
   for (const SeenText& text : axes.texts) {
-    const auto kind = kindOf(text.utf8);
-    if (kind && frame.contains(text.box.middle()))
-      phrases.push_back({*kind, lineAround(text, axes.texts), text.utf8});
+    if (!frame.contains(text.box.middle())) continue;
+    const SeenText line = lineAround(text, axes.texts);
+    const auto kind = kindOf(line.utf8);
+    if (kind && std::ranges::find(phrases, line.box, &Phrase::box) == phrases.end())
+      phrases.push_back({*kind, line.box, line.utf8});
   }
   return phrases;
 }
@@ -254,14 +264,8 @@ std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, 
 std::vector<CalloutKind> printedCallouts(const PlotFrame& frame, const AxesFound& axes) {
   std::vector<CalloutKind> kinds;
   for (const Phrase& phrase : phrasesInside(axes, frame.box())) {
-    const bool aPoint = std::ranges::any_of(axes.texts, [&](const SeenText& text) {
-      static constexpr std::array<std::string_view, 5> pointWords{"point", "position", "punkt", "点",
-                                                                  "ポイント"};
-      const std::string low = lowered(text.utf8);
-      return phrase.box.contains(text.box.middle()) &&
-             std::ranges::any_of(pointWords, [&](std::string_view word) { return holds(low, word); });
-    });
-    if (aPoint && std::ranges::find(kinds, phrase.kind) == kinds.end()) kinds.push_back(phrase.kind);
+    if (namesAPlace(phrase.text) && std::ranges::find(kinds, phrase.kind) == kinds.end())
+      kinds.push_back(phrase.kind);
   }
   return kinds;
 }

@@ -23,9 +23,9 @@ namespace {
 constexpr double kNoMatch = std::numeric_limits<double>::infinity();  // cost
 
 /// In the order of WordKind.
-constexpr std::array<std::string_view, 13> kKinds{"press",   "release", "point",      "wear",   "curve",
-                                                  "variant", "series",  "quantity",   "symbol", "also",
-                                                  "unit",    "column",  "column-unit"};
+constexpr std::array<std::string_view, 14> kKinds{"press", "release", "point",  "contact",    "wear",
+                                                  "curve", "variant", "series", "quantity",   "symbol",
+                                                  "also",  "unit",    "column", "column-unit"};
 
 /// A line's fields, set apart by tabs; empty ones at the end where it has fewer.
 template <std::size_t count>

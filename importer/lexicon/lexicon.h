@@ -22,6 +22,7 @@ enum class WordKind {
   press,
   release,
   point,
+  contact,
   wear,
   curve,
   variant,

@@ -2,6 +2,10 @@
 // Points that a plot names: found by their leader, and by nothing that is drawn there anyway.
 #include "importer/callouts/callouts.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <catch2/catch.hpp>
 
 using namespace detent::importer;
@@ -13,12 +17,12 @@ constexpr Box box{20, 10, 420, 310};
 /// A plot with a straight press, and the words "operating point".
 class NamedPoint {
  public:
-  explicit NamedPoint(Box words) {
+  explicit NamedPoint(Box words, const std::string& text = "operating point") {
     view_.raster.width_px = 440, view_.raster.height_px = 330;
     view_.raster.rgb.assign(std::size_t{3} * 440 * 330, 255);
     frame_.corners = {Point{box.x0, box.y0}, Point{box.x1, box.y0}, Point{box.x1, box.y1},
                       Point{box.x0, box.y1}};
-    axes_.texts.push_back({.utf8 = "operating point", .box = words});
+    axes_.texts.push_back({.utf8 = text, .box = words});
     for (int x = 20; x <= 400; ++x) {
       const Point p = onPress(x);
       strokes_.press.points_px.push_back(p);
@@ -52,6 +56,7 @@ class NamedPoint {
     press.points_px = {press.points_px[0], press.points_px[150], press.points_px[last]};
   }
 
+  std::vector<CalloutKind> printed() const { return printedCallouts(frame_, axes_); }
   std::vector<Callout> read() const { return readCallouts(view_, frame_, axes_, strokes_); }
 
  private:
@@ -93,4 +98,30 @@ TEST_CASE("a press that a document draws with few points is no leader") {
   NamedPoint plot({300, 110, 400, 126});
   plot.thinOut();
   CHECK(plot.read().empty());
+}
+
+TEST_CASE("contact points are known by their names, in several languages and with a misread letter") {
+  using enum CalloutKind;
+  struct Case {
+    std::string text;
+    std::optional<CalloutKind> expected;
+  };
+  const auto& [text, expected] = GENERATE(values<Case>({{"Operating position", operatingPoint},
+                                                        {"operafing point", operatingPoint},
+                                                        {"Actuation point", operatingPoint},
+                                                        {"Schaltpunkt", operatingPoint},
+                                                        {"Betätigungspunkt", operatingPoint},
+                                                        {"punto di azionamento", operatingPoint},
+                                                        {"动作点", operatingPoint},
+                                                        {"作動ポイント", operatingPoint},
+                                                        {"reset point", resetPoint},
+                                                        {"Release point", resetPoint},
+                                                        {"Rückschaltpunkt", resetPoint},
+                                                        {"复位点", resetPoint},
+                                                        {"release", {}},
+                                                        {"pressure point", {}},
+                                                        {"operating and reset point", {}}}));
+  INFO(text);
+  const NamedPoint plot({60, 60, 160, 76}, text);
+  CHECK(plot.printed() == (expected ? std::vector{*expected} : std::vector<CalloutKind>{}));
 }

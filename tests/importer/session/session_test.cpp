@@ -75,6 +75,29 @@ TEST_CASE("A hint runs the steps that depend on it and no others") {
   CHECK(masked.seconds.count(ImportStep::locate) == 0);
 }
 
+TEST_CASE("The contact points that the sample plots call out are read, across the lines of their grids") {
+  if (!TextReader::available()) {
+    WARN("SKIPPED: no Tesseract language data");
+    return;
+  }
+  struct Case {
+    const char* name;
+    double operating_mm;
+    std::optional<double> reset_mm;  // samples/plots/MANIFEST.md; empty: a gridline hides a letter of it
+  };
+  const auto& [name, operating_mm, reset_mm] = GENERATE(values<Case>(
+      {{"brown-one-ink.png", 2, 1.7}, {"black-red-curves.png", 2, 2}, {"white-chinese-gf.png", 2, {}}}));
+  INFO(name);
+  auto session = opened(name);
+  const auto report = imported(session, firstGraph());
+  const ButtonState& state = report.button.states().front();
+  REQUIRE(state.operatingPoint_mm);
+  CHECK(*state.operatingPoint_mm == Approx(operating_mm).margin(0.03));
+  if (!reset_mm) return;
+  REQUIRE(state.resetPoint_mm);
+  CHECK(*state.resetPoint_mm == Approx(*reset_mm).margin(0.03));
+}
+
 TEST_CASE("A graph with exchanged or uneven axes is refused by that name before its curves are traced") {
   if (!TextReader::available()) {
     WARN("SKIPPED: no Tesseract language data");
