@@ -199,11 +199,11 @@ json parsedJson(std::string_view text, const Reader& reader) {
     json::sax_parse(text.begin(), text.end(), &handler);
     return document;
   } catch (const json::parse_error& error) {
-    reader.refuse(placeOfByte(text, error.byte),
-                  Message("the file is not valid JSON: %1", plainReason(error.what())),
+    reader.refuse(placeOfByte(text, error.byte), notJson(text, error.byte),
                   Message("Correct the file at this place, or export the button again"));
   } catch (const json::out_of_range& error) {
-    reader.refuse("", "holds a number that is too large: " + plainReason(error.what()), "Correct the number");
+    reader.refuse("", Message("holds a number that is too large: %1", numberIn(error.what())),
+                  "Correct the number");
   }
 }
 
@@ -610,9 +610,8 @@ Result<ButtonFile> buttonFileFromJson(std::string_view text, const std::string& 
     return fileFrom(Reader(subject), text, subject);
   } catch (const Refusal& refusal) {
     return refusal.failure;
-  } catch (const json::exception& error) {
-    return Failure{FailureCode::unreadableInput, subject, "",
-                   "the file cannot be read: " + plainReason(error.what()),
+  } catch (const json::exception&) {
+    return Failure{FailureCode::unreadableInput, subject, "", "the content of the file is broken",
                    "Give a *.button.json written by Detent"};
   }
 }

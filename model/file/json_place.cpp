@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/text.h"
+
 namespace detent {
 
 Message placeOfByte(std::string_view text, std::size_t byte) {
@@ -13,18 +15,23 @@ Message placeOfByte(std::string_view text, std::size_t byte) {
   return Message("line %1, column %2", std::to_string(lines + 1), std::to_string(column + 1));
 }
 
-std::string plainReason(const std::string& what) {
-  // "[json.exception.out_of_range.406] number overflow", "[json.exception.parse_error.101] parse error at
-  // line 1: syntax error"
-  const auto named = what.starts_with('[') ? what.find("] ") : std::string::npos;
-  const auto colon = what.find(": ");
-  std::string reason = colon != std::string::npos   ? what.substr(colon + 2)
-                       : named != std::string::npos ? what.substr(named + 2)
-                                                    : what;
-  if (reason.size() > 160) reason = reason.substr(0, 160) + "...";
-  for (char& c : reason)
+Message notJson(std::string_view text, std::size_t byte) {
+  if (byte > text.size()) return Message("the file is not valid JSON: it ends too early");
+  constexpr std::size_t before = 40, after = 20;  // bytes quoted of a long line
+  const std::size_t at = byte > 0 ? byte - 1 : 0;
+  const std::size_t start = text.substr(0, at).rfind('\n') + 1;  // 0 in the first line
+  const std::size_t from = std::max(start, at > before ? at - before : 0);
+  std::string part(text.substr(from, std::min(text.find('\n', at), at + after) - from));
+  for (char& c : part)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return reason;
+  const std::string_view quoted = trimmed(part);
+  return quoted.empty() ? Message("the file is not valid JSON")
+                        : Message("the file is not valid JSON: \"%1\" cannot be read", quoted);
+}
+
+std::string numberIn(std::string_view what) {
+  const std::size_t first = what.find('\''), last = what.rfind('\'');
+  return std::string(first < last ? what.substr(first + 1, last - first - 1) : what);
 }
 
 }  // namespace detent

@@ -13,8 +13,10 @@ namespace detent {
 /// "line 3, column 7" of a byte offset (1-based offset of the last byte read, as nlohmann counts).
 Message placeOfByte(std::string_view text, std::size_t byte);
 
-/// Text of nlohmann after the position: "syntax error while parsing value - invalid literal; last read: 'x'".
-/// At most about 160 bytes, on one line.
-std::string plainReason(const std::string& what);
+/// Problem of a text that stops being JSON at a byte, with the part of the line around it.
+Message notJson(std::string_view text, std::size_t byte);
+
+/// Number in nlohmann's text of an overflow: "[json.exception.out_of_range.406] number overflow parsing '1e999'".
+std::string numberIn(std::string_view what);
 
 }  // namespace detent

@@ -239,12 +239,11 @@ Result<ReferenceSignal> referenceFromText(std::string_view text, const std::stri
   } catch (const Failure& failure) {
     return failure;
   } catch (const nlohmann::json::parse_error& error) {
-    return unreadable(name, placeOfByte(text, error.byte),
-                      Message("the file is not valid JSON: %1", plainReason(error.what())),
+    return unreadable(name, placeOfByte(text, error.byte), notJson(text, error.byte),
                       Message("Export the file again: it may have been cut off"));
   } catch (const nlohmann::json::out_of_range& error) {
     return unreadable(name, {},
-                      Message("the file holds a number that is too large: %1", plainReason(error.what())),
+                      Message("the file holds a number that is too large: %1", numberIn(error.what())),
                       Message("Correct the number"));
   }
 }

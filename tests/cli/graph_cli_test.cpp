@@ -166,7 +166,8 @@ TEST_CASE("failures: code, one sentence, nothing written, no old file lost") {
   const auto before = graph.files();
   const std::vector<std::tuple<std::string, int, std::string>> cases = {
       {"missing.button.json", 3, "missing.button.json: the file does not exist."},
-      {"broken.button.json", 3, "broken.button.json, line 3, column 3: the file is not valid JSON"},
+      {"broken.button.json", 3,
+       "broken.button.json, line 3, column 3: the file is not valid JSON: \"oops\" cannot be read. Correct"},
       {"newer.button.json", 3,
        "newer.button.json, version: the file has version 99; this program reads versions up to "},
       {"rows.csv", 3, "rows.csv, line 2: force \"nan\" is not a usable number."},

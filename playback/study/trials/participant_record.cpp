@@ -272,9 +272,8 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
   for (const std::string& line : lines) {
     try {
       if (Result<Done> ok = replay.take(line); !ok) return ok.failure();
-    } catch (const Json::exception& fault) {
-      return replay.wrong(Message("the content is broken (%1)", fault.what()),
-                          Message("Restore the journal from a copy"));
+    } catch (const Json::exception&) {
+      return replay.wrong(Message("the content is broken"), Message("Restore the journal from a copy"));
     }
   }
   ParticipantRecord record = replay.take();

@@ -53,8 +53,8 @@ Result<PlannedPlaces> placesOf(const fs::path& folder) {
     }
     for (const Json& id : json.at("participants")) plan.participants.push_back(id.get<std::string>());
     return plan;
-  } catch (const Json::exception& fault) {
-    return brokenPlan(file, Message("the content is broken (%1)", fault.what()));
+  } catch (const Json::exception&) {
+    return brokenPlan(file, Message("the content is broken"));
   }
 }
 

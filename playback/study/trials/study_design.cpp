@@ -602,9 +602,8 @@ Result<Study> openStudy(const fs::path& folder) {
     if (!plan) return plan.failure();
     study->unfinished = plan->unfinished;
     return study;
-  } catch (const Json::exception& fault) {
-    return unreadable(file, Message("the content is broken (%1)", fault.what()),
-                      Message("Restore the file from a copy"));
+  } catch (const Json::exception&) {
+    return unreadable(file, Message("the content is broken"), Message("Restore the file from a copy"));
   }
 }
 

@@ -219,6 +219,20 @@ TEST_CASE("malformed JSON is refused with line and column") {
   requireRefusal("\xFF\xFE{", "is not valid JSON");
   requireRefusal("{\"a\": 1} trailing", "line 1, column 1");
   requireRefusal(std::string("{\"a\": \"\0\"}", 10), "is not valid JSON");
+  const std::string ends = "the file is not valid JSON: it ends too early.";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", ends},
+      {"{", ends},
+      {"{\"a\": \"b", ends},
+      {"{\n\"a\": tru }", "line 2, column 9: the file is not valid JSON: \"\"a\": tru }\" cannot be read."},
+      {"{\"a\" 1}", "the file is not valid JSON: \"{\"a\" 1}\" cannot be read."},
+      {"{\"a\": 1e999}", "holds a number that is too large: 1e999."}};
+  for (const auto& [text, sentence] : cases) {
+    requireRefusal(text, sentence);
+    const std::string said = buttonFromJson(text, "b").failure().sentence();
+    for (const char* word : {"syntax", "literal", "token", "expected", "parse", "exception", "last read"})
+      CHECK(said.find(word) == std::string::npos);
+  }
 }
 
 TEST_CASE("hostile JSON is refused quickly") {
