@@ -21,11 +21,7 @@ int print(const Result<Report>& result, bool asJson) {
   const Report report = result ? *result : failureReport(result.failure());
   std::fputs(report.text.c_str(), result && !asJson ? stdout : stderr);
   if (asJson) std::fputs(report.json.c_str(), stdout);
-  if (std::fflush(stdout) != 0 && result) {
-    std::fputs("standard output cannot be written. Check the disk or the pipe.\n", stderr);
-    return static_cast<int>(FailureCode::internalFault);
-  }
-  return result ? 0 : result.failure().exitCode();
+  return codeAfterOutput(result ? 0 : result.failure().exitCode());
 }
 
 struct Arguments {
@@ -163,8 +159,8 @@ int main(int argc, char** argv) try {
   CLI::App app{"Force graphs of buttons: displacement in mm, force in N.", "detent-graph"};
   app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   app.footer(
-      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph in it,\n"
-      "5 not certain (the message says what to pass).");
+      "Exit codes: 0 done, 1 internal fault or disk error, 2 wrong usage, 3 input cannot be read,\n"
+      "4 no force graph in it, 5 not certain (the message says what to pass).");
   app.set_version_flag("--version", std::string("detent-graph ") + version(), "Print the version and exit");
   Arguments arguments;
   addCommands(app, arguments);

@@ -102,10 +102,13 @@ Result<Done> StagedFile::commit() {
 }
 
 Failure StagedFile::notWritten(const std::string& reason) const {
-  return {FailureCode::internalFault, target_.string(), "",
+  return {FailureCode::internalFault,
+          target_.string(),
+          "",
           reason.empty() ? Message("the file cannot be written")
                          : Message("the file cannot be written: %1", reason),
-          Message("Check the folder's permissions and free space")};
+          Message("Check the folder's permissions and free space"),
+          "not_written"};
 }
 
 }  // namespace detent

@@ -168,6 +168,9 @@ class LogReader {
       return unreadable(Message("the file does not exist"), Message("Check the path and its permissions"));
     if (std::filesystem::is_directory(path, error))
       return unreadable(Message("this is a folder, not a file"), Message("Give a file"));
+    if (!std::filesystem::is_regular_file(path, error))
+      return unreadable(Message("this is not an ordinary file"),
+                        Message("Save the content to an ordinary file and import that file"));
     std::ifstream file(path, std::ios::binary);
     std::string bytes;
     constexpr std::size_t piece_bytes = std::size_t{1} << 20;
@@ -554,8 +557,10 @@ class LogReader {
 
   static Failure lacking(TableLack lack, const DataTable& data, const std::string& subject) {
     const std::string titles = titlesOf(data);
-    const auto nameThem =
-        Message("If one of them is it: --displacement-column NAME|N, --force-column NAME|N");
+    const Remedies nameThem{
+        {RemedyKind::advice, Message("Give the columns titles such as \"Travel (mm)\" and \"Force (N)\"")},
+        {RemedyKind::advice,
+         Message("If one of them is it: --displacement-column NAME|N, --force-column NAME|N")}};
     switch (lack) {
       case TableLack::displacement:
         return noForceLog(subject, Message("no column holds displacements; the columns are %1", titles),
@@ -625,7 +630,9 @@ class LogReader {
     if (wanted.empty()) reading_.question = std::move(question);
     return failure(wanted.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
                    Message("there are %1 recordings: %2", records.size(), namesOf(records)),
-                   Message("Choose one of them with --record NAME|N, or their mean with --record mean"));
+                   {{RemedyKind::advice, Message("To read one of them alone, save it as a file of its own")},
+                    {RemedyKind::advice,
+                     Message("Choose one of them with --record NAME|N, or their mean with --record mean")}});
   }
 
   Result<LogRecord> taken(const std::vector<LogRecord>& records, std::size_t i) {
@@ -1012,6 +1019,8 @@ bool isForceLogPath(const std::string& path) {
   for (const char* other :
        {".pdf", ".svg", ".svgz", ".png", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".webp"})
     if (ending == other) return false;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;  // a pipe would wait for its writer
   std::ifstream file(path, std::ios::binary);
   std::string head(4096, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));

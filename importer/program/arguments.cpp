@@ -370,8 +370,9 @@ Parsed parseArguments(int argc, const char* const* argv, std::ostream& out, std:
   CLI::App app{
       "Reads the force graph of a push button from a plot, a datasheet page or a force meter's log.\n"
       "It finds everything without hints. Everything it writes is in mm and N.\n"
-      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,\n"
-      "5 found but not certain enough (the message says what to pass), 130 interrupted."};
+      "Exit codes: 0 done, 1 internal fault or disk error, 2 wrong usage, 3 input cannot be read,\n"
+      "4 no force graph found, 5 found but not certain enough (the message says what to pass), 130 "
+      "interrupted."};
   app.name("detent-import");
   app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   app.set_version_flag("--version", std::string("detent-import ") + version(), "Print the version and exit");

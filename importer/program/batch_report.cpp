@@ -72,6 +72,8 @@ Failure unwritable(const std::string& path) {
 }  // namespace
 
 std::string resultKey(const std::string& input, const std::string& options) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(input, ignored)) return "";  // a pipe would wait for its writer
   const auto bytes = readTextFile(input);
   if (!bytes) return "";
   return sha256Hex(sha256Hex(*bytes) + "\n" + version() + "\n" + options);
@@ -118,8 +120,12 @@ Result<Done> BatchReport::add(const std::string& input, const std::string& key, 
   report_.close();
   std::error_code none;
   fs::resize_file(path_, size_, none);  // removes a partial line
-  return Failure{FailureCode::internalFault, path_, "", "the disk takes no more",
-                 "Make room, then run it again with --resume"};
+  return Failure{FailureCode::internalFault,
+                 path_,
+                 "",
+                 "the disk takes no more",
+                 "Make room, then run it again with --resume",
+                 "not_written"};
 }
 
 Result<Done> BatchReport::sortAs(const std::vector<std::string>& inputs) {

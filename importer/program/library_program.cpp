@@ -485,7 +485,7 @@ int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
                : report->parsed() ? runReport(arguments)
                                   : runFind(arguments);
   }
-  return cancelled() ? static_cast<int>(FailureCode::cancelled) : exitCode;
+  return cancelled() ? static_cast<int>(FailureCode::cancelled) : codeAfterOutput(exitCode);
 }
 
 }  // namespace detent::importer

@@ -27,6 +27,7 @@
 #include "model/file/curve_csv.h"
 #include "model/file/json_text.h"
 #include "model/file/text_file.h"
+#include "model/program/command_line.h"
 
 namespace detent::importer {
 namespace {
@@ -86,13 +87,9 @@ std::string writeRefusal(const GraphEvidence& evidence, const Failure& why, cons
               : done.failure().sentence() + "\n";
 }
 
-/// Writes what each step found, even for a refused import. Returns a line if that fails.
-std::string writeSteps(const ImportAttempt& attempt, const std::string& input, const std::string& path) {
-  if (path.empty()) return {};
-  StagedOutputs outputs;
-  auto done = outputs.stage(path, stepsJson(attempt, input));
-  if (done) done = outputs.commit();
-  return done ? std::string() : done.failure().sentence() + "\n";
+/// Writes what each step found, even for a refused import.
+Result<Done> writeSteps(const ImportAttempt& attempt, const std::string& input, const std::string& path) {
+  return path.empty() ? Done{} : writeTextFileAtomically(path, stepsJson(attempt, input));
 }
 
 std::string warningLines(const std::vector<Remark>& remarks) {
@@ -133,9 +130,10 @@ int reportAttempt(const ImportAttempt& attempt, const ImportRequest& request, co
   const auto& [report, evidence, question, interpretations] = attempt;
   reported.question = question;
   const auto explained = reported.explains ? interpretations : std::vector<ExplainedInterpretation>{};
-  reported.text += writeSteps(attempt, request.path, paths.steps);
+  const Result<Done> steps = writeSteps(attempt, request.path, paths.steps);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
-  if (report) written = writeOutputs(*report, paths);
+  if (!steps) written = steps.failure();
+  if (report && steps) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
     reported.objects.push_back(failureJson(failure, request.path,
@@ -143,12 +141,16 @@ int reportAttempt(const ImportAttempt& attempt, const ImportRequest& request, co
                                            question, explained));
     reported.text += failure.sentence() + "\n" + choiceLines(question) + explanationTable(explained);
     reported.written = reported.written && written;
+    if (!report && !written) reported.text += written.failure().sentence() + "\n";
     if (!report && evidence) reported.text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
   }
   reported.objects.push_back(reportJson(*report, request.path, *written, explained));
   reported.text += report->brief() + "\n";
   reported.text += warningLines(report->remarks);
+  if (!paths.overlay.empty() && !report->evidence)
+    reported.text +=
+        "warning: " + paths.overlay + " is not written, because a table has no page to draw on\n";
   for (const std::string& path : *written) reported.text += "wrote " + path + "\n";
   reported.text += explanationTable(explained);
   return 0;
@@ -438,8 +440,12 @@ std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome) {
 }
 
 Failure noRoomFor(const std::string& input) {
-  return {FailureCode::internalFault, input, "", "its results cannot be written, no permission or no space",
-          "Make room, then run it again with --resume"};
+  return {FailureCode::internalFault,
+          input,
+          "",
+          "its results cannot be written, no permission or no space",
+          "Make room, then run it again with --resume",
+          "not_written"};
 }
 
 std::vector<std::string> toDo(const std::vector<std::string>& inputs, const BatchReport& report) {
@@ -530,7 +536,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
 }  // namespace
 
 int run(const Arguments& arguments, const std::function<bool()>& cancelled) {
-  if (arguments.batch) return runBatch(arguments, cancelled);
+  if (arguments.batch) return codeAfterOutput(runBatch(arguments, cancelled));
   int exitCode = 0;
   {
     const ForcedEnd end(cancelled);
@@ -544,7 +550,7 @@ int run(const Arguments& arguments, const std::function<bool()>& cancelled) {
     progress.cancelled = cancelled;
     exitCode = arguments.list ? runList(arguments, progress) : runImport(arguments, progress);
   }
-  return cancelled() ? interruptedExitCode : exitCode;
+  return cancelled() ? interruptedExitCode : codeAfterOutput(exitCode);
 }
 
 }  // namespace detent::importer

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/program/staged_outputs.h"
 
-#include <fstream>
+#include "model/file/staged_text.h"
 
 namespace detent::importer {
 
 Result<Done> StagedOutputs::stage(const std::string& path, std::string_view bytes) {
-  auto file = StagedFile::beside(path);
+  auto file = stagedText(path, bytes);
   if (!file) return file.failure();
   files_.push_back(*std::move(file));
   paths_.push_back(path);
-  std::ofstream out(files_.back().path(), std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  return out ? Result<Done>(Done{}) : files_.back().notWritten("no permission or no space");
+  return Done{};
 }
 
 Result<Done> StagedOutputs::commit() {

@@ -16,7 +16,7 @@ namespace detent::importer {
 /// removed.
 class StagedOutputs {
  public:
-  /// Failure wrongUsage: the folder does not exist, cannot be written to, or the disk is full.
+  /// Failures: as of StagedFile.
   Result<Done> stage(const std::string& path, std::string_view bytes);
   Result<Done> commit();
 

@@ -4,12 +4,14 @@
 // by rooms includes no library.
 
 #include <cstddef>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "model/named_values.h"
 #include "model/number_table.h"
+#include "model/result.h"
 #include "model/text.h"
 
 namespace detent {
@@ -31,6 +33,14 @@ class PlainHelp : public Formatter {
     return options;
   }
 };
+
+/// Exit code of a program whose work ended with `exitCode`: 1, with a line on standard error, if standard output
+/// lost part of a good result.
+inline int codeAfterOutput(int exitCode) {
+  if ((std::fflush(stdout) == 0 && std::ferror(stdout) == 0) || exitCode != 0) return exitCode;
+  std::fputs("standard output cannot be written. Check the disk or the pipe.\n", stderr);
+  return static_cast<int>(FailureCode::internalFault);
+}
 
 /// A number from `low` to `high`, both included. CLI::Range would accept "nan". Validator: CLI::Validator.
 template <class Validator>

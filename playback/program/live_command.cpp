@@ -71,7 +71,8 @@ void addLiveCommand(CLI::App& program, Action& chosen) {
   program.footer(
       "Keys while playing: space presses, Tab changes the button, + and - the gain, m the mode, p the "
       "placement, q ends.\n"
-      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 6 device trouble.");
+      "Exit codes: 0 done, 1 internal fault or disk error, 2 wrong usage, 3 input cannot be read, 6 device "
+      "trouble.");
   program.callback([&program, &chosen, arguments] {
     if (!program.get_subcommands().empty()) return;
     if (arguments->buttons.empty()) throw CLI::RequiredError("BUTTON");

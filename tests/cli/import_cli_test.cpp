@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "tests/cli/run_program.h"
 #include "tests/samples/two_switches.h"
@@ -159,6 +160,58 @@ TEST_CASE("A missing file and a folder are no inputs") {
     CHECK(run.exitCode == 3);
     CHECK_FALSE(run.err.empty());
     CHECK(folder.files().empty());
+  }
+}
+
+TEST_CASE("A named pipe is refused at once, because nobody may ever write to it") {
+  const ProgramFolder folder("import_pipe");
+  for (const char* name : {"pipe", "pipe.csv", "pipe.png"})
+    REQUIRE(mkfifo((folder.path() / name).c_str(), 0600) == 0);
+  const std::string log = plots + "force-meter-log.csv";
+  const std::vector<std::vector<std::string>> cases = {{"pipe", "-o", "b.button.json"},
+                                                       {"pipe.csv"},
+                                                       {"pipe.png"},
+                                                       {"--list", "pipe"},
+                                                       {"--pair", log, "pipe.csv"},
+                                                       {"--family", log, "pipe"},
+                                                       {"--all", "pipe"}};
+  for (std::vector<std::string> words : cases) {
+    INFO(words.front() << " " << words.back());
+    words.insert(words.begin(), {"20", DETENT_IMPORT});
+    const ProgramResult run = folder.run("timeout", words);
+    CHECK(run.exitCode == 3);
+    CHECK_THAT(run.err, Catch::Contains("pipe") && Catch::Contains("this is not an ordinary file"));
+  }
+  const std::vector<std::string> batch{"20",       DETENT_IMPORT, "--batch", "pipe",
+                                       "pipe.csv", "--out-dir",   "out",     "--resume"};
+  for (int run = 0; run < 2; ++run) CHECK(folder.run("timeout", batch).exitCode == 0);
+  const std::string report = folder.read("out/report.jsonl");
+  CHECK(std::count(report.begin(), report.end(), '\n') == 2);
+  CHECK_THAT(report, Catch::Contains("\"exit_code\":3"));
+}
+
+TEST_CASE("An output that the disk refuses ends with the documented code and a true sentence") {
+  const ProgramFolder folder("import_full");
+  const auto inShell = [&](const std::string& before, const std::string& after,
+                           std::vector<std::string> words) {
+    words.insert(words.begin(), {"-c", before + " \"$0\" \"$@\" " + after, DETENT_IMPORT, plot});
+    return folder.run("/bin/sh", words);
+  };
+  for (const char* option : {"-o", "--csv", "--trace-csv", "--overlay", "--dump-steps"}) {
+    INFO(option);
+    // the shell's limit on the size of files fails a write as a full disk does
+    const ProgramResult run = inShell("trap '' XFSZ; ulimit -f 4;", "", {option, "out"});
+    CHECK(run.exitCode == 1);
+    CHECK_THAT(run.err, Catch::Contains("out: the file cannot be written: File too large. Check the folder"));
+    CHECK(folder.files().empty());
+  }
+  const ProgramResult coded = inShell("trap '' XFSZ; ulimit -f 4;", "", {"-o", "out", "--json"});
+  CHECK(json::parse(coded.out)["reason"] == "not_written");
+  for (const char* words : {"--json", "--list"}) {
+    INFO(words);
+    const ProgramResult run = inShell("", ">/dev/full", {words});
+    CHECK(run.exitCode == 1);
+    CHECK_THAT(run.err, Catch::Contains("standard output cannot be written"));
   }
 }
 
@@ -436,6 +489,10 @@ TEST_CASE("A force meter's log becomes the same button as its plot") {
   REQUIRE(tactile.size() == 1);  // button C
   CHECK(tactile[0]["displacement_mm"].get<double>() == Approx(1.60).margin(0.05));
   CHECK(tactile[0]["force_N"].get<double>() == Approx(0.65).margin(0.01));
+
+  const ProgramResult drawn = import(folder, {plots + "force-meter-log.csv", "--overlay", "o.png"});
+  CHECK(drawn.exitCode == 0);
+  CHECK_THAT(drawn.out, Catch::Contains("warning: o.png is not written, because a table has no page"));
 }
 
 TEST_CASE("A batch handles every input, whatever happens to one, and resumes") {

@@ -11,8 +11,8 @@ from typing import Any
 class Failure(Exception):
     """Something that could not be done. Its text is the sentence the program prints.
 
-    code: the program's exit code (1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,
-        5 found but not certain enough, 6 device trouble).
+    code: the program's exit code (1 internal fault or disk error, 2 wrong usage, 3 input cannot be read,
+        4 no force graph found, 5 found but not certain enough, 6 device trouble).
     remedies: what to do next, in sentences, the likeliest first; may be empty.
     report: what the program prints with --json; may be empty.
     """
