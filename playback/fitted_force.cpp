@@ -50,11 +50,15 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
         Message("the device answers after %1 ms, so the force acts %2 ms late. With this delay, slopes up to "
                 "%3 N/mm are stable; this button needs %4 N/mm",
                 answer_ms, late_ms, allowed, needed),
-        busy ? Message("This computer is too slow: a message to itself takes %1 ms. Close other programs and "
-                       "allow real-time scheduling (docs/guide/force-feedback.md)",
-                       rounded(1e3 * pace.computer_s, 3))
-             : Message("The device is too slow. Make the connection faster: native USB, a higher --baud, an "
-                       "FTDI latency timer of 1 ms. Or use --upload, so that the device computes the force")};
+        busy ? Remedies(Message(
+                   "This computer is too slow: a message to itself takes %1 ms. Close other programs and "
+                   "allow real-time scheduling (docs/guide/force-feedback.md)",
+                   rounded(1e3 * pace.computer_s, 3)))
+             : Remedies{
+                   {RemedyKind::advice,
+                    Message("The device is too slow. Make the connection faster: native USB, a higher "
+                            "baud rate, an FTDI latency timer of 1 ms. Or let the device compute the force")},
+                   {RemedyKind::advice, Message("On the command line: --baud, --upload")}}};
   }
   const auto bears =
       Message("can hold %1 N/mm by its measured profile; this button needs %2 N/mm", allowed, needed);
@@ -68,9 +72,10 @@ Failure tooSteepFor(const ForceDeviceProfile& device, const ForceLinkPace& pace,
                           friction_N, step_mm)
                 : Message("With friction of %1 N, the button would be stable", friction_N)};
   }
-  return {FailureCode::deviceTrouble, device.name, "", bears,
-          Message("With more damping of the handle, a faster loop (--rate) or a shorter delay, the button "
-                  "would be stable")};
+  return {
+      FailureCode::deviceTrouble, device.name, "", bears,
+      Message(
+          "With more damping of the handle, a faster loop or a shorter delay, the button would be stable")};
 }
 
 Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,

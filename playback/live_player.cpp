@@ -393,9 +393,12 @@ class Player : public LivePlayer {
     rain_ = std::move(*rain);
     if (rain_->deviceName() != output_->deviceName()) return Done{};
     return Failure{
-        FailureCode::wrongUsage, masking.device, "",
+        FailureCode::wrongUsage,
+        masking.device,
+        "",
         Message("this sound device also plays the vibration, so participants would feel the masking noise"),
-        Message("Leave --noise-device out, or name the device of the headphones")};
+        {{RemedyKind::advice, Message("Choose the sound device of the headphones for the masking noise")},
+         {RemedyKind::advice, Message("On the command line: --noise-device")}}};
   }
 
   std::int64_t streamFrame() {

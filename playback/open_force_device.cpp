@@ -112,10 +112,13 @@ Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
   if (!device) return device.failure();
   const SerialForceInfo& info = (*device)->info();
   if (prepared.program.step_mm < info.step_mm * 0.999) {
-    return Failure{FailureCode::wrongUsage, choice.port, "",
+    return Failure{FailureCode::wrongUsage,
+                   choice.port,
+                   "",
                    Message("the device has steps of %1, but the playback was prepared for finer steps",
                            millimetres(info.step_mm)),
-                   Message("Give --step-mm %1", info.step_mm)};
+                   {{RemedyKind::advice, Message("Set this encoder step and start again")},
+                    {RemedyKind::advice, Message("On the command line: --step-mm %1", info.step_mm)}}};
   }
   if (choice.uploadTable) {
     if (Result<Done> proved = proveDirection(**device, prepared.program, choice.port); !proved)

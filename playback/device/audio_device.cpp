@@ -218,9 +218,12 @@ class AudioOutput::Stream {
     channels_ = channelsOf(info);
     if (channels_.signal < std::min(1, settings_.channels))
       return Failure{
-          FailureCode::deviceTrouble, info.fullName(), "",
+          FailureCode::deviceTrouble,
+          info.fullName(),
+          "",
           Message("the sound device has only one output, so participants would feel the masking noise"),
-          Message("Name the sound device of the headphones with the option --noise-device")};
+          {{RemedyKind::advice, Message("Choose the sound device of the headphones for the masking noise")},
+           {RemedyKind::advice, Message("On the command line: --noise-device")}}};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
       library_.reset();

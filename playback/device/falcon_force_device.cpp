@@ -100,9 +100,12 @@ Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<
   const std::string name = "Novint Falcon " + std::to_string(settings.number);
   if (running(*started.usb)) return started;
   if (settings.firmware.empty()) {
-    return Failure{FailureCode::deviceTrouble, name, "",
+    return Failure{FailureCode::deviceTrouble,
+                   name,
+                   "",
                    Message("the Falcon was switched on and has no firmware yet"),
-                   Message("Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)")};
+                   {{RemedyKind::advice, Message("Choose its firmware file (docs/guide/force-feedback.md)")},
+                    {RemedyKind::advice, Message("On the command line: --firmware FILE")}}};
   }
   while (started.uploads < uploadTries && started.usb->alive() && !cancelled) {
     ++started.uploads;

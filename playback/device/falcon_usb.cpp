@@ -185,8 +185,12 @@ Result<std::unique_ptr<FalconUsb>> FalconUsb::open(unsigned number) {
   const int error = link->start(number);
   if (error == LIBUSB_ERROR_NOT_FOUND || error == LIBUSB_ERROR_NO_DEVICE) {
     return Failure{
-        FailureCode::deviceTrouble, falconName(number), "", Message("the Falcon is not connected"),
-        Message("Check its cable and its power supply, or try it without hardware: --device sim:falcon")};
+        FailureCode::deviceTrouble,
+        falconName(number),
+        "",
+        Message("the Falcon is not connected"),
+        {{RemedyKind::advice, Message("Check its cable and its power supply, or try the simulated Falcon")},
+         {RemedyKind::advice, Message("On the command line: --device sim:falcon")}}};
   }
   if (error != 0) return usbTrouble(number, error);
   return std::unique_ptr<FalconUsb>(new FalconUsb(std::move(link)));

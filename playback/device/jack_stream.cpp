@@ -118,8 +118,8 @@ double JackStream::latency_s() const {
 
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
                                                      double wanted_Hz, StreamRenderer& renderer) {
-  const auto trouble = [&](Message problem, const Message& remedy) {
-    return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", std::move(problem), remedy};
+  const auto trouble = [&](Message problem, const Remedies& remedies) {
+    return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", std::move(problem), remedies};
   };
   jack_set_error_function(ignoreMessage);
   jack_set_info_function(ignoreMessage);
@@ -130,7 +130,8 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
   const double rate_Hz = jack_get_sample_rate(client->jack);
   if (wanted_Hz > 0 && std::fabs(rate_Hz - wanted_Hz) > 1)
     return trouble(Message("the JACK server runs at another sample rate"),
-                   Message("Leave --device-rate out"));
+                   {{RemedyKind::advice, Message("Choose the rate of the device")},
+                    {RemedyKind::advice, Message("On the command line, leave --device-rate out")}});
   if (rate_Hz < HapticEngine::lowestSampleRate_Hz || rate_Hz > HapticEngine::highestSampleRate_Hz)
     return trouble(Message("the JACK server runs at a sample rate outside 8000 to 192000 Hz"),
                    Message("Restart the JACK server at another sample rate"));

@@ -317,8 +317,8 @@ bool OdriveForceDevice::allows(double torque_Nm) {
     const std::optional<double> least_Nm = numberIn(*text);
     if (!least_Nm || *least_Nm >= torque_Nm * (1 - sameShare)) continue;
     char reported[96];
-    std::snprintf(reported, sizeof reported, ": it allows %.4g Nm, and --max-N needs %.4g Nm", *least_Nm,
-                  torque_Nm);
+    std::snprintf(reported, sizeof reported, ": it allows %.4g Nm, and the largest force needs %.4g Nm",
+                  *least_Nm, torque_Nm);
     unheld_ = std::string(property) + reported;
     return false;
   }

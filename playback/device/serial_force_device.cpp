@@ -98,10 +98,14 @@ Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::st
   for (const double deadline_s = now_s() + bootPause_s; now_s() < deadline_s;) {
     if (!device->hello(problem)) continue;
     if (device->info_.force_N < limits.force_N * 0.999) {
-      return Failure{FailureCode::wrongUsage, port, "",
-                     Message("the device can produce only %1, less than the playback was prepared for",
-                             newtons(device->info_.force_N)),
-                     Message("Give --max-N %1", device->info_.force_N)};
+      return Failure{
+          FailureCode::wrongUsage,
+          port,
+          "",
+          Message("the device can produce only %1, less than the playback was prepared for",
+                  newtons(device->info_.force_N)),
+          {{RemedyKind::advice, Message("Set this as the largest force and start again")},
+           {RemedyKind::advice, Message("On the command line: --max-N %1", device->info_.force_N)}}};
     }
     if (device->limited()) return device;
     problem = Message(
@@ -207,7 +211,7 @@ std::optional<Failure> refusedAsTable(const ForceProgram& program, const std::st
         Message("the device can hold the force of only one speed; this button has graphs at %1 speeds",
                 program.states[0].speedCount),
         Message("Leave the upload out; this computer then computes the force. Or upload a button that "
-                "has a single speed: detent-graph convert --speed V makes one")};
+                "has a single speed (detent-graph convert makes one)")};
   }
   if (program.stateCount != 1) {
     return Failure{FailureCode::wrongUsage, device, "",

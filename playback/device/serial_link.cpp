@@ -87,8 +87,12 @@ Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, doub
                    Message("End that program, then try again")};
   }
   if (errno == EINVAL) {
-    return Failure{FailureCode::deviceTrouble, port, "", Message("the port cannot run at %1 baud", baud),
-                   Message("Give another --baud, and set it in the firmware too")};
+    return Failure{FailureCode::deviceTrouble,
+                   port,
+                   "",
+                   Message("the port cannot run at %1 baud", baud),
+                   {{RemedyKind::advice, Message("Choose another baud rate, and set it in the firmware too")},
+                    {RemedyKind::advice, Message("On the command line: --baud")}}};
   }
   return Failure{FailureCode::deviceTrouble, port, "",
                  Message("the device cannot be opened (%1)", std::strerror(errno)),

@@ -304,8 +304,8 @@ class ForcePreparation {
                     worst.fed_mJ);
     refused_ =
         outOfRange(from.name.empty() ? "graphs at several speeds" : "graphs of state " + from.name, {}, text,
-                   "Draw the graphs closer together, give the button damping, or play one speed: "
-                   "detent-graph convert --speed V");
+                   "Draw the graphs closer together, give the button damping, or use a button of one speed "
+                   "(detent-graph convert makes one)");
   }
 
   // A press below its release would create energy, so there both get the force of the release.

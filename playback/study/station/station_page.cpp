@@ -42,8 +42,10 @@ Result<Done> checkForBrowsers(const Study& study) {
     return noStation(Message("a timing study needs exact times, which a browser does not give"),
                      Message("Run the study with detent-play study run or in detent-edit"));
   if (study.profile)
-    return noStation(Message("the study was made for a device profile, and a browser's device is unknown"),
-                     Message("Make a study without --profile, or run this one with detent-play study run"));
+    return noStation(
+        Message("the study was made for a device profile, and a browser's device is unknown"),
+        Message("Make a study without a device profile, or run this one with detent-play study run or in "
+                "detent-edit"));
   return checkStimuli(study);
 }
 
