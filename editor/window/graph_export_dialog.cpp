@@ -271,6 +271,12 @@ void GraphExportDialog::showChoice() {
   const GraphExport chosen = choice();
   SvgPlotStyle style = chosen.style;
   style.words = plotWords(chosen.language);
+  QStringList missing;
+  for (const std::string& label : labelsWithoutRoom(button_, style)) missing << QString::fromStdString(label);
+  refusal_->setVisible(!missing.isEmpty());
+  if (!missing.isEmpty())
+    refusal_->setText(tr("Labels without room are left out: %1. Choose a larger graph or a smaller font.")
+                          .arg(missing.join(QStringLiteral("; "))));
   const QSizeF size = graphSize_mm(button_, style).scaled(picture_->size(), Qt::KeepAspectRatio);
   QImage image((size * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);

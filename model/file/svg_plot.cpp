@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -75,6 +76,9 @@ class Plot {
            "\" fill=\"none\" stroke=\"#222\" stroke-width=\"1.4\"/>\n";
     return out + "</g>\n";
   }
+
+  /// Labels that svg() left out, in words.
+  const std::vector<std::string>& withoutRoom() const { return withoutRoom_; }
 
   PlotFrame frame() const { return {frame_.x0, frame_.y0, frame_.x1, frame_.y1, xTicks_, yTicks_}; }
 
@@ -317,7 +321,9 @@ class Plot {
     std::snprintf(value, sizeof value, "%.3g", std::abs(to_mm - from_mm) / millimetresPer(style_.lengthUnit));
     const std::string words = name + " " + numbered(value) + " " + std::string(symbolOf(style_.lengthUnit));
     const double width = sized(glyphWidth_px) * static_cast<double>(words.size());
-    const double x = std::clamp(0.5 * (a + b), frame_.x0 + 0.5 * width + 4, edge_px_ - 0.5 * width - 4);
+    const double least = frame_.x0 + 0.5 * width + 4, most = edge_px_ - 0.5 * width - 4;
+    if (least > most) return withoutRoom_.push_back(words);
+    const double x = std::clamp(0.5 * (a + b), least, most);
     text(out, {x, y - sized(5)}, "middle", words, smallText());
     taken_.push_back({x - 0.5 * width, y - sized(18), x + 0.5 * width, y + sized(5)});
   }
@@ -394,7 +400,8 @@ class Plot {
     out += plates_;
   }
 
-  // Draws two lines of text with a leader and a dot, free of curves and other callouts if possible.
+  // Draws a dot, and two lines of text with a leader: inside the frame, free of other labels, and of curves if
+  // possible. Without room for the text, the dot alone.
   void callout(std::string& out, CurvePoint point, const std::string& name, double preferredSide) {
     const Spot at = spot(point.displacement_mm, point.force_N);
     const std::string value = valueText(point);
@@ -409,6 +416,7 @@ class Plot {
                           at.y + std::sin(angle) * (sized(20) * ring + 0.5 * height)};
         const Box box{centre.x - 0.5 * width, centre.y - 0.5 * height, centre.x + 0.5 * width,
                       centre.y + 0.5 * height};
+        if (!hasRoom(box)) continue;
         const double cost = costOf(box) + 10.0 * ring + (preferredSide * std::sin(angle) < 0 ? 15 : 0) +
                             (underAnother(at, nearestOf(box, at)) ? leaderUnderName : 0);
         if (cost < bestCost) {
@@ -416,9 +424,10 @@ class Plot {
           best = box;
         }
       }
+    dots_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3.2\" fill=\"#222\"/>\n";
+    if (!std::isfinite(bestCost)) return withoutRoom_.push_back(name + " " + value);
     const Spot edge = nearestOf(best, at);
     line(out, awayFrom(at, edge), edge, "stroke=\"#444\" stroke-width=\"0.9\"");
-    dots_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3.2\" fill=\"#222\"/>\n";
     plates_ += "<rect x=\"" + px(best.x0) + "\" y=\"" + px(best.y0) + "\" width=\"" + px(width) +
                "\" height=\"" + px(height) + "\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n";
     const double middle = 0.5 * (best.x0 + best.x1);
@@ -451,12 +460,15 @@ class Plot {
     return {at.x + gap * (towards.x - at.x) / length, at.y + gap * (towards.y - at.y) / length};
   }
 
+  // Returns true if a box lies inside the frame and over no other label.
+  bool hasRoom(const Box& box) const {
+    return box.x0 >= frame_.x0 + 2 && box.x1 <= edge_px_ - 2 && box.y0 >= frame_.y0 + 2 &&
+           box.y1 <= frame_.y1 - 2 &&
+           std::ranges::none_of(taken_, [&](const Box& other) { return box.overlaps(other); });
+  }
+
   double costOf(const Box& box) const {
     double cost = 0;
-    if (box.x0 < frame_.x0 + 2 || box.x1 > edge_px_ - 2 || box.y0 < frame_.y0 + 2 || box.y1 > frame_.y1 - 2)
-      cost += 1e6;
-    for (const Box& other : taken_)
-      if (box.overlaps(other)) cost += 1e4;
     const Box widened{box.x0 - 3, box.y0 - 3, box.x1 + 3, box.y1 + 3};
     for (const Spot& p : drawn_)
       if (widened.contains(p)) cost += 20;
@@ -474,6 +486,7 @@ class Plot {
   std::vector<Box> taken_;
   std::string plates_;  // texts of callouts, over all leaders
   std::string dots_;    // dots of callouts, over the curves
+  std::vector<std::string> withoutRoom_;
 };
 
 }  // namespace
@@ -510,6 +523,34 @@ PlotFrame frameOfPlot(const ButtonState& state, const SvgPlotStyle& style) {
   return Plot(state, style, "", 0).frame();
 }
 
+namespace {
+
+struct Drawing {
+  std::string plots;  // SVG elements
+  std::vector<std::string> withoutRoom;
+};
+
+Drawing drawingOf(const Button& button, const SvgPlotStyle& style) {
+  Drawing drawing;
+  double top = 0;
+  for (const ButtonState& state : button.states()) {
+    const std::string name = state.name == "unlocked" ? style.words.unlocked
+                             : state.name == "locked" ? style.words.locked
+                                                      : state.name;
+    Plot plot(state, style, button.name() + (name.empty() ? "" : " (" + name + ")"), top);
+    drawing.plots += plot.svg();
+    std::ranges::copy(plot.withoutRoom(), std::back_inserter(drawing.withoutRoom));
+    top += style.height_px;
+  }
+  return drawing;
+}
+
+}  // namespace
+
+std::vector<std::string> labelsWithoutRoom(const Button& button, const SvgPlotStyle& style) {
+  return drawingOf(button, style).withoutRoom;
+}
+
 std::string svgFrom(const Button& button, const SvgPlotStyle& style) {
   DETENT_CHECK(style.width_px > 200 && style.height_px > 200, "a plot larger than 200 px");
   const double height = style.height_px * static_cast<double>(button.states().size());
@@ -522,16 +563,7 @@ std::string svgFrom(const Button& button, const SvgPlotStyle& style) {
       escapedForMarkup(style.font) + "\" font-size=\"" + px(style.fontSize_px) +
       "\" fill=\"#222\">\n<title>" + escapedForMarkup(button.name()) + "</title>\n<rect width=\"" +
       px(style.width_px) + "\" height=\"" + px(height) + "\" fill=\"#fff\"/>\n";
-  double top = 0;
-  for (const ButtonState& state : button.states()) {
-    const std::string name = state.name == "unlocked" ? style.words.unlocked
-                             : state.name == "locked" ? style.words.locked
-                                                      : state.name;
-    const std::string title = button.name() + (name.empty() ? "" : " (" + name + ")");
-    out += Plot(state, style, title, top).svg();
-    top += style.height_px;
-  }
-  return out + "</svg>\n";
+  return out + drawingOf(button, style).plots + "</svg>\n";
 }
 
 }  // namespace detent

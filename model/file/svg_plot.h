@@ -78,6 +78,9 @@ struct PlotFrame {
 /// Frame that svgFrom draws for the first state of a button.
 PlotFrame frameOfPlot(const ButtonState& state, const SvgPlotStyle& style = {});
 
+/// Labels that a small plot leaves out because they would lie over others: "Reset point 0.42 N at 1.3 mm".
+std::vector<std::string> labelsWithoutRoom(const Button& button, const SvgPlotStyle& style);
+
 /// Complete SVG document. Curves are exact cubic Béziers. Deterministic.
 std::string svgFrom(const Button& button, const SvgPlotStyle& style = {});
 

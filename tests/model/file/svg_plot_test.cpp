@@ -146,6 +146,54 @@ TEST_CASE("no leader runs under the name of another point, where points are clos
   }
 }
 
+TEST_CASE("labels of a small plot lie over no other, and what is left out is named") {
+  const auto closes = setOperatingPoint(*tactileButton(), 0, 1.1);
+  REQUIRE(closes);
+  const auto button = setResetPoint(*closes, 0, 0.9);
+  REQUIRE(button);
+  constexpr double pxPerMm = 96 / 25.4;
+  const std::vector<std::array<double, 3>> cases = {
+      // mm, mm, most that may be left out
+      {60, 60, 5}, {80, 60, 4}, {88, 66, 4}, {100, 75, 3}, {150, 105, 0}, {254, 143, 0}};
+  for (const auto& [width_mm, height_mm, most] : cases)
+    for (const bool dimensions : {true, false}) {
+      INFO(width_mm << " x " << height_mm << " mm, dimensions: " << dimensions);
+      SvgPlotStyle style;
+      style.width_px = width_mm * pxPerMm;
+      style.height_px = height_mm * pxPerMm;
+      style.dimensions = dimensions;
+      const std::string svg = svgFrom(*button, style);
+      const PlotFrame frame = frameOfPlot(button->states()[0], style);
+      std::vector<std::array<double, 4>> plates;
+      std::istringstream lines(svg);
+      for (std::string line; std::getline(lines, line);) {
+        std::array<double, 4> at{};  // left, top, width, height
+        if (line.find("fill-opacity=\"0.85\"") != std::string::npos &&
+            std::sscanf(line.c_str(), "<rect x=\"%lf\" y=\"%lf\" width=\"%lf\" height=\"%lf\"", &at[0],
+                        &at[1], &at[2], &at[3]) == 4)
+          plates.push_back(at);
+      }
+      for (std::size_t i = 0; i < plates.size(); ++i) {
+        const auto [left, top, width, height] = plates[i];
+        CHECK((left >= frame.left_px && top >= frame.top_px && top + height <= frame.bottom_px));
+        CHECK(left + width <= style.width_px);
+        for (std::size_t j = 0; j < i; ++j) {
+          const auto [x, y, w, h] = plates[j];
+          CHECK((left >= x + w - 0.1 || x >= left + width - 0.1 || top >= y + h - 0.1 ||
+                 y >= top + height - 0.1));
+        }
+      }
+      const auto missing = labelsWithoutRoom(*button, style);
+      CHECK(static_cast<double>(missing.size()) <= most);
+      CHECK(countOf(svg, "<circle") <= plates.size() + missing.size());
+      for (const std::string& label : missing) {
+        INFO(label);
+        CHECK_THAT(label, Catch::Contains(" mm"));
+        CHECK(svg.find(label.substr(label.find_first_of("0123456789"))) == std::string::npos);
+      }
+    }
+}
+
 TEST_CASE("curves end at the ends that are given, and have room behind the last tick") {
   SvgPlotStyle style;
   const double usualEnd_px = frameOfPlot(tactileButton()->states()[0], style).right_px;
