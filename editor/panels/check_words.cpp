@@ -90,7 +90,7 @@ QString nameOf(importer::SpecQuantity quantity) {
     case importer::SpecQuantity::operatingForce:
       return Checks::tr("Operating force");
     case importer::SpecQuantity::tactileForce:
-      return Checks::tr("Tactile force");
+      return Checks::tr("Peak force");
     case importer::SpecQuantity::endForce:
       return Checks::tr("Force at the end");
   }

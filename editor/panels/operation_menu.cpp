@@ -33,7 +33,7 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
   add("operationRemoveJump", tr("&Remove jump…"),
       tr("Replace a tactile point and its valley by a straight line"), {}, removeJumpOperation,
       hasTactilePoint);
-  add("operationSnapRatio", tr("Snap r&atio…"), tr("Set how deep the valley lies below the tactile force"),
+  add("operationSnapRatio", tr("Snap r&atio…"), tr("Set how deep the valley lies below the peak force"),
       key(Qt::Key_R), snapRatioOperation, pressHasTactilePoint);
   add("operationMakeLinear", tr("Make &linear…"),
       tr("Replace the curve by a straight line up to the bottom-out"), key(Qt::Key_L), makeLinearOperation,

@@ -220,12 +220,11 @@ Operation snapRatioOperation(const OperationTarget& target) {
       if (p.displacement_mm > from && p.displacement_mm < stop) valley = std::min(valley, p.force_N);
     if (valley < tactile[first.index].force_N) ratio = 1 - valley / tactile[first.index].force_N;
   }
-  Operation op{
-      tr("Snap ratio"),
-      tr("(Tactile force − valley force) / tactile force. The tactile point stays, the valley moves."),
-      {choice.field, numberField(FieldKind::ratio, tr("Ratio"), ratio, 0.001, 5,
-                                 tr("Usual: 20 % for a soft key, 60 % for a snappy dome"))},
-      {}};
+  Operation op{tr("Snap ratio"),
+               tr("(Peak force − valley force) / peak force. The tactile point stays, the valley moves."),
+               {choice.field, numberField(FieldKind::ratio, tr("Ratio"), ratio, 0.001, 5,
+                                          tr("Usual: 20 % for a soft key, 60 % for a snappy dome"))},
+               {}};
   op.edit = [state = target.state, entries = choice.entries](const Button& start, const Values& v) {
     const auto entry = entryOf(entries, v[0]);
     return editOne(start, state, Stroke::press,

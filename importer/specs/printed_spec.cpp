@@ -298,9 +298,9 @@ Message nameOf(SpecQuantity quantity) {
     case SpecQuantity::operatingForce:
       return Message("operating force");
     case SpecQuantity::tactileForce:
-      return Message("tactile force");
+      return Message("peak force");
     case SpecQuantity::endForce:
-      return Message("end force");
+      return Message("force at the end");
   }
   return {};
 }
