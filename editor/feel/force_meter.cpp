@@ -15,7 +15,7 @@ namespace {
 constexpr int rowHeight_px = 19;
 constexpr double name_px = 62, barShare = 0.3;  // width of the names; share of the remaining width
 constexpr double punctualShare = 0.999;         // below it the deadline bar warns
-constexpr double noBalance_mJ = -1e-3;          // smaller imbalances are rounding
+constexpr double noBalance_mJ = -5e-3;          // smaller imbalances are shown as 0.00
 
 }  // namespace
 

@@ -64,6 +64,9 @@ Result<InputKind> inputKindOf(const QString& path) {
   if (info.isDir())
     return unreadable(path, InputKinds::tr("this is a folder, not a file"),
                       InputKinds::tr("Choose a file in this folder"));
+  if (!info.isFile())  // a pipe would wait for its writer
+    return unreadable(path, InputKinds::tr("this is not an ordinary file"),
+                      InputKinds::tr("Save the content to an ordinary file and open that file"));
   const QString ending = info.suffix().toLower();
   if (ending == "png" && !QImageReader(path).text(buttonInPicture).isEmpty()) return InputKind::button;
   if (pageEndings().contains(ending)) return InputKind::page;

@@ -36,6 +36,13 @@ QString inShort(const BatchResult& result) {
   return result.question.isEmpty() ? BatchDialog::tr("Refused") : BatchDialog::tr("Question");
 }
 
+QString nameOfRow(const BatchResult& result) {
+  const QString graph = BatchDialog::tr("Page %1, graph %2").arg(result.graph.page).arg(result.graph.graph);
+  if (result.curve == 0) return graph;
+  return BatchDialog::tr("%1: %2").arg(
+      graph, result.curveName.isEmpty() ? BatchDialog::tr("switch %1").arg(result.curve) : result.curveName);
+}
+
 }  // namespace
 
 BatchDialog::BatchDialog(const ViewSettings& view, BatchActions actions, QWidget* parent)
@@ -130,7 +137,7 @@ void BatchDialog::start(const QStringList& paths) {
   follow();
 }
 
-/// Adds the results of a file. One graph is one row; several graphs are rows below the row of their file.
+/// Adds the results of a file. One button is one row; several are rows below the row of their file.
 void BatchDialog::take(int file, const std::vector<BatchResult>& results) {
   QTreeWidgetItem& item = *list_->topLevelItem(file);
   const QString& path = paths_[file];
@@ -139,8 +146,7 @@ void BatchDialog::take(int file, const std::vector<BatchResult>& results) {
     fill(item, item.text(nameColumn), path, results.front());
   } else {
     for (const BatchResult& result : results)
-      fill(*new QTreeWidgetItem(&item),
-           tr("Page %1, graph %2").arg(result.graph.page).arg(result.graph.graph), path, result);
+      fill(*new QTreeWidgetItem(&item), nameOfRow(result), path, result);
     item.setExpanded(true);
   }
   showProgress();
@@ -179,13 +185,15 @@ void BatchDialog::showResult(QTreeWidgetItem& item) {
 /// A person may have drawn a frame where none was found: then the only row of the file, refused, is the one.
 void BatchDialog::takeChecked(const QString& path, const importer::ImportReport& report) {
   const GraphId graph{report.page, report.graph};
+  const auto curve = static_cast<int>(report.curve.value_or(0));
   QTreeWidgetItem *same = nullptr, *refused = nullptr;
   int ofFile = 0;
   for (QTreeWidgetItemIterator each(list_); *each; ++each) {
     const Row* row = rowOf(**each);
     if (!row || row->path != path) continue;
     ++ofFile;
-    if (row->result.graph == graph || row->result.graph.page == 0) same = *each;
+    const auto& [id, known] = std::pair(row->result.graph, row->result.curve);
+    if ((id == graph && (known == 0 || known == curve)) || id.page == 0) same = *each;
     if (!row->result.button) refused = *each;
   }
   QTreeWidgetItem* item = same ? same : ofFile == 1 ? refused : nullptr;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <new>
 #include <QCoreApplication>
 #include <QDataStream>
@@ -35,6 +36,26 @@ BatchResult resultOf(const importer::ImportAttempt& attempt, const importer::Imp
   return refused;
 }
 
+/// One result for each switch of a plot with several; none for any other attempt.
+std::vector<BatchResult> resultsOfSwitches(const importer::ImportAttempt& attempt,
+                                           importer::ImportRequest one, const QString& file,
+                                           const DisplayUnits& units) {
+  std::vector<BatchResult> results;
+  if (attempt.report || !attempt.evidence ||
+      attempt.report.failure().reason != importer::nameOf(importer::DoubtCode::severalSwitches))
+    return results;
+  auto session = importer::ImportSession::open(one.path);
+  for (const importer::PlotSwitch& each : attempt.evidence->switches) {
+    if (!session) break;
+    const auto number = static_cast<int>(results.size()) + 1;
+    one.hints.strokes.curve = std::to_string(number);
+    results.push_back(resultOf(session->attempt(one, {}), one, file, units));
+    results.back().curve = number;
+    results.back().curveName = QString::fromStdString(each.name);
+  }
+  return results;
+}
+
 std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& units) {
   const QString file = QFileInfo(path).fileName();
   std::vector<BatchResult> results;
@@ -46,7 +67,9 @@ std::vector<BatchResult> resultsOf(const QString& path, const DisplayUnits& unit
     const auto searched = importer::attemptAllGraphs(
         request, {},
         [&](const importer::ImportAttempt& attempt, const importer::ImportRequest& one, std::size_t) {
-          results.push_back(resultOf(attempt, one, file, units));
+          std::vector<BatchResult> switches = resultsOfSwitches(attempt, one, file, units);
+          if (switches.empty()) switches.push_back(resultOf(attempt, one, file, units));
+          std::ranges::move(switches, std::back_inserter(results));
         });
     if (!searched) results.push_back(refusal({}, searched.failure(), file, units));
   } catch (const std::bad_alloc&) {
@@ -63,7 +86,7 @@ std::vector<BatchResult> resultsFrom(const QByteArray& written) {
     BatchResult result;
     QByteArray button;
     stream >> result.graph.page >> result.graph.graph >> button >> result.confidence >> result.question >>
-        result.reason;
+        result.reason >> result.curve >> result.curveName;
     if (stream.status() != QDataStream::Ok) return {};
     if (!button.isEmpty()) {
       const auto read = buttonFromJson(button.toStdString(), {});
@@ -78,7 +101,13 @@ std::vector<BatchResult> resultsFrom(const QByteArray& written) {
 }  // namespace
 
 BatchResult resultOf(GraphId graph, const importer::ImportReport& report, const DisplayUnits& units) {
-  return {graph, report.button, report.confidence, {}, causeOf(report, units)};
+  return {graph,
+          report.button,
+          report.confidence,
+          {},
+          causeOf(report, units),
+          false,
+          static_cast<int>(report.curve.value_or(0))};
 }
 
 int importForBatch(const QStringList& words) {
@@ -91,7 +120,7 @@ int importForBatch(const QStringList& words) {
   for (const BatchResult& result : resultsOf(words.value(0), {*length, *force}))
     stream << result.graph.page << result.graph.graph
            << (result.button ? buttonText(*result.button).toUtf8() : QByteArray()) << result.confidence
-           << result.question << result.reason;
+           << result.question << result.reason << result.curve << result.curveName;
   return 0;
 }
 

@@ -16,7 +16,7 @@
 
 namespace detent::editor {
 
-/// Result of one graph; for a file that cannot be read, of the whole file.
+/// Result of one graph, or of one of its switches; for a file that cannot be read, of the whole file.
 struct BatchResult {
   GraphId graph;                 ///< page 0: the whole file
   std::optional<Button> button;  ///< none: the graph was refused
@@ -24,6 +24,8 @@ struct BatchResult {
   QString question;              ///< question that would settle a refusal, with its choices
   QString reason;                ///< reason for a refusal, or for a low confidence
   bool checked = false;          ///< imported by a person, in the import dialogue
+  int curve = 0;                 ///< number of the switch in a plot with several, from 1
+  QString curveName = {};        ///< as the plot names it; may be empty
 };
 BatchResult resultOf(GraphId graph, const importer::ImportReport& report, const DisplayUnits& units);
 

@@ -97,10 +97,6 @@
         <translation>Betätigungskraft</translation>
     </message>
     <message>
-        <source>Tactile force</source>
-        <translation>Druckpunktkraft</translation>
-    </message>
-    <message>
         <source>Force at the end</source>
         <translation>Kraft am Ende</translation>
     </message>
@@ -119,6 +115,10 @@
     <message>
         <source>At %4, the release at %1 mm/s lies %2 above the press at %3 mm/s: the button would return more energy than it took up.</source>
         <translation>Bei %4 liegt der Rückweg mit %1 mm/s um %2 über dem Hinweg mit %3 mm/s: Der Taster gäbe mehr Energie ab, als er aufnahm.</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
     </message>
 </context>
 <context>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>peak force</source>
-        <translation>Kraft der Spitze</translation>
+        <translation>Spitzenkraft</translation>
     </message>
     <message>
         <source>valley force</source>
@@ -378,6 +378,14 @@
     <message>
         <source>the file cannot be opened: %1</source>
         <translation>die Datei lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>this is not an ordinary file</source>
+        <translation>dies ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Save the content to an ordinary file and open that file</source>
+        <translation>Speichern Sie den Inhalt in einer gewöhnlichen Datei, und öffnen Sie diese</translation>
     </message>
 </context>
 <context>
@@ -1637,10 +1645,6 @@ Lizenz: %3</translation>
         <translation>Geben Sie die Beträge als gewöhnliche Zahlen an</translation>
     </message>
     <message>
-        <source>the file is not valid JSON: %1</source>
-        <translation>die Datei ist kein gültiges JSON: %1</translation>
-    </message>
-    <message>
         <source>the list has %1 codes for %2 warnings</source>
         <translation>die Liste hat %1 Codes zu %2 Warnungen</translation>
     </message>
@@ -1795,6 +1799,22 @@ Lizenz: %3</translation>
     <message>
         <source>turn at %1</source>
         <translation>Umkehr bei %1</translation>
+    </message>
+    <message>
+        <source>holds a number that is too large: %1</source>
+        <translation>enthält eine zu große Zahl: %1</translation>
+    </message>
+    <message>
+        <source>the file is not valid JSON: it ends too early</source>
+        <translation>die Datei ist kein gültiges JSON: sie endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file is not valid JSON</source>
+        <translation>die Datei ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>the file is not valid JSON: &quot;%1&quot; cannot be read</source>
+        <translation>die Datei ist kein gültiges JSON: „%1“ ist nicht lesbar</translation>
     </message>
 </context>
 <context>
@@ -2393,10 +2413,6 @@ Lizenz: %3</translation>
         <translation>Schnappverhältnis</translation>
     </message>
     <message>
-        <source>(Tactile force − valley force) / tactile force. The tactile point stays, the valley moves.</source>
-        <translation>(Druckpunktkraft − Talkraft) / Druckpunktkraft. Der Druckpunkt bleibt, das Tal wandert.</translation>
-    </message>
-    <message>
         <source>Ratio</source>
         <translation>Verhältnis</translation>
     </message>
@@ -2895,6 +2911,10 @@ Lizenz: %3</translation>
     <message>
         <source>Usual: 20 % for a soft key, 60 % for a snappy dome</source>
         <translation>Üblich: 20 % für eine weiche Taste, 60 % für eine knackige Schnappscheibe</translation>
+    </message>
+    <message>
+        <source>(Peak force − valley force) / peak force. The tactile point stays, the valley moves.</source>
+        <translation>(Spitzenkraft − Talkraft) / Spitzenkraft. Der Druckpunkt bleibt, das Tal wandert.</translation>
     </message>
 </context>
 <context>
@@ -3543,6 +3563,14 @@ Lizenz: %3</translation>
     <message>
         <source>%1 of %2 files. Buttons: %3 (to check: %4), questions: %5, refused: %6.</source>
         <translation>%1 von %2 Dateien. Taster: %3 (zu prüfen: %4), Fragen: %5, abgelehnt: %6.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>switch %1</source>
+        <translation>Taster %1</translation>
     </message>
 </context>
 <context>
@@ -5573,6 +5601,10 @@ Lizenz: %3</translation>
     <message>
         <source>An axis must begin below its end. Type a smaller start or a larger end.</source>
         <translation>Eine Achse muss unter ihrem Ende beginnen. Geben Sie einen kleineren Anfang oder ein größeres Ende ein.</translation>
+    </message>
+    <message>
+        <source>Labels without room are left out: %1. Choose a larger graph or a smaller font.</source>
+        <translation>Beschriftungen ohne Platz fehlen: %1. Wählen Sie einen größeren Graphen oder eine kleinere Schrift.</translation>
     </message>
 </context>
 <context>
@@ -7869,10 +7901,6 @@ Gegenüber dem gezeigten Taster: %2</translation>
         <translation>Schn&amp;appverhältnis …</translation>
     </message>
     <message>
-        <source>Set how deep the valley lies below the tactile force</source>
-        <translation>Festlegen, wie tief das Tal unter der Druckpunktkraft liegt</translation>
-    </message>
-    <message>
         <source>Make &amp;linear…</source>
         <translation>&amp;Linear machen …</translation>
     </message>
@@ -7971,6 +7999,10 @@ Gegenüber dem gezeigten Taster: %2</translation>
     <message>
         <source>Create a release curve from the press, lower by a force</source>
         <translation>Eine Rückwegkurve aus dem Hinweg erzeugen, um eine Kraft tiefer</translation>
+    </message>
+    <message>
+        <source>Set how deep the valley lies below the peak force</source>
+        <translation>Festlegen, wie tief das Tal unter der Spitzenkraft liegt</translation>
     </message>
 </context>
 <context>
@@ -10244,11 +10276,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Betätigungskraft</translation>
     </message>
     <message>
-        <source>tactile force</source>
-        <translation>Druckpunktkraft</translation>
-    </message>
-    <message>
-        <source>end force</source>
+        <source>force at the end</source>
         <translation>Kraft am Ende</translation>
     </message>
     <message>
@@ -10591,6 +10619,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Import a graph of the same button with evenly divided axes</source>
         <translation>Importieren Sie einen Graphen desselben Tasters mit gleichmäßig geteilten Achsen</translation>
     </message>
+    <message>
+        <source>peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10912,6 +10944,22 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>If one of them is it: --displacement-column NAME|N, --force-column NAME|N</source>
         <translation>Falls es eine von ihnen ist: --displacement-column NAME|N, --force-column NAME|N</translation>
+    </message>
+    <message>
+        <source>this is not an ordinary file</source>
+        <translation>dies ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Save the content to an ordinary file and import that file</source>
+        <translation>Speichern Sie den Inhalt in einer gewöhnlichen Datei, und importieren Sie diese</translation>
+    </message>
+    <message>
+        <source>Give the columns titles such as &quot;Travel (mm)&quot; and &quot;Force (N)&quot;</source>
+        <translation>Geben Sie den Spalten Titel wie „Weg (mm)“ und „Kraft (N)“</translation>
+    </message>
+    <message>
+        <source>To read one of them alone, save it as a file of its own</source>
+        <translation>Um nur eine davon zu lesen, speichern Sie sie als eigene Datei</translation>
     </message>
 </context>
 <context>
@@ -11249,10 +11297,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Prüfen Sie das Gerät und versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>Name its firmware file with --firmware FILE (docs/guide/force-feedback.md)</source>
-        <translation>Nennen Sie seine Firmware-Datei mit --firmware DATEI (docs/guide/force-feedback.md)</translation>
-    </message>
-    <message>
         <source>Switch the device off and on, connect it without a hub, and try again</source>
         <translation>Schalten Sie das Gerät aus und wieder ein, schließen Sie es ohne Hub an, und versuchen Sie es noch einmal</translation>
     </message>
@@ -11271,10 +11315,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Unplug the device, switch its power off and on, plug it in again</source>
         <translation>Ziehen Sie das Gerät ab, schalten Sie es aus und wieder ein, und stecken Sie es neu ein</translation>
-    </message>
-    <message>
-        <source>Leave the upload out; this computer then computes the force. Or upload a button that has a single speed: detent-graph convert --speed V makes one</source>
-        <translation>Lassen Sie die Übertragung weg; dann berechnet dieser Rechner die Kraft. Oder übertragen Sie einen Taster mit einer einzigen Geschwindigkeit: detent-graph convert --speed V erzeugt ihn</translation>
     </message>
     <message>
         <source>Choose another port</source>
@@ -11581,10 +11621,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Gerät hat Schritte von %1, die Wiedergabe wurde aber für feinere vorbereitet</translation>
     </message>
     <message>
-        <source>Give --step-mm %1</source>
-        <translation>Geben Sie --step-mm %1 an</translation>
-    </message>
-    <message>
         <source>Name fewer buttons, or make several pages</source>
         <translation>Nennen Sie weniger Taster oder machen Sie mehrere Seiten</translation>
     </message>
@@ -11861,16 +11897,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>ein Fehler, dessen Code mit %1 beginnt; der Rest wurde abgeschnitten, dump_errors in odrivetool zeigt ihn</translation>
     </message>
     <message>
-        <source>The device is too slow. Make the connection faster: native USB, a higher --baud, an FTDI latency timer of 1 ms. Or use --upload, so that the device computes the force</source>
-        <translation>Das Gerät reagiert zu langsam. Die Verbindung beschleunigen: natives USB, höheres --baud, FTDI-Latenz von 1 ms; oder --upload, damit das Gerät die Kraft selbst berechnet</translation>
-    </message>
-    <message>
         <source>With friction of %1 N or an encoder step of %2 mm, the button would be stable</source>
         <translation>Mit einer Reibung von %1 N oder einem Encoderschritt von %2 mm wäre der Taster stabil</translation>
-    </message>
-    <message>
-        <source>With more damping of the handle, a faster loop (--rate) or a shorter delay, the button would be stable</source>
-        <translation>Mit mehr Dämpfung des Griffs, einer schnelleren Schleife (--rate) oder einer kürzeren Verzögerung wäre der Taster stabil</translation>
     </message>
     <message>
         <source>Give an AHAP, .haptic or HJIF file, or a sound file such as a WAV</source>
@@ -11951,10 +11979,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the study was made for a device profile, and a browser&apos;s device is unknown</source>
         <translation>die Studie wurde für ein Geräteprofil angelegt, und das Gerät eines Browsers ist unbekannt</translation>
-    </message>
-    <message>
-        <source>Make a study without --profile, or run this one with detent-play study run</source>
-        <translation>Machen Sie eine Studie ohne --profile, oder führen Sie diese mit detent-play study run durch</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not the address of a web server</source>
@@ -12221,10 +12245,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Datei ist größer als %1 MB</translation>
     </message>
     <message>
-        <source>the file is not valid JSON: %1</source>
-        <translation>die Datei ist kein gültiges JSON: %1</translation>
-    </message>
-    <message>
         <source>the file holds a number that is too large: %1</source>
         <translation>die Datei enthält eine zu große Zahl: %1</translation>
     </message>
@@ -12403,10 +12423,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Check the folder in which it should be created</source>
         <translation>Prüfen Sie den Ordner, in dem er angelegt werden soll</translation>
-    </message>
-    <message>
-        <source>the content is broken (%1)</source>
-        <translation>der Inhalt ist beschädigt (%1)</translation>
     </message>
     <message>
         <source>the folder cannot be read (%1)</source>
@@ -12748,6 +12764,46 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>can hold %1 N/mm by its measured profile; this button needs %2 N/mm</source>
         <translation>kann nach seinem gemessenen Profil %1 N/mm halten; dieser Taster braucht %2 N/mm</translation>
     </message>
+    <message>
+        <source>Choose its firmware file (docs/guide/force-feedback.md)</source>
+        <translation>Wählen Sie seine Firmware-Datei (docs/guide/force-feedback.md)</translation>
+    </message>
+    <message>
+        <source>On the command line: --firmware FILE</source>
+        <translation>Auf der Befehlszeile: --firmware DATEI</translation>
+    </message>
+    <message>
+        <source>Leave the upload out; this computer then computes the force. Or upload a button that has a single speed (detent-graph convert makes one)</source>
+        <translation>Lassen Sie die Übertragung weg; dann berechnet dieser Rechner die Kraft. Oder übertragen Sie einen Taster mit einer einzigen Geschwindigkeit (detent-graph convert erzeugt ihn)</translation>
+    </message>
+    <message>
+        <source>The device is too slow. Make the connection faster: native USB, a higher baud rate, an FTDI latency timer of 1 ms. Or let the device compute the force</source>
+        <translation>Das Gerät reagiert zu langsam. Beschleunigen Sie die Verbindung: natives USB, höhere Baudrate, FTDI-Latenz von 1 ms. Oder lassen Sie das Gerät die Kraft berechnen</translation>
+    </message>
+    <message>
+        <source>On the command line: --baud, --upload</source>
+        <translation>Auf der Befehlszeile: --baud, --upload</translation>
+    </message>
+    <message>
+        <source>With more damping of the handle, a faster loop or a shorter delay, the button would be stable</source>
+        <translation>Mit mehr Dämpfung des Griffs, einer schnelleren Schleife oder einer kürzeren Verzögerung wäre der Taster stabil</translation>
+    </message>
+    <message>
+        <source>Set this encoder step and start again</source>
+        <translation>Stellen Sie diesen Encoderschritt ein, und starten Sie neu</translation>
+    </message>
+    <message>
+        <source>On the command line: --step-mm %1</source>
+        <translation>Auf der Befehlszeile: --step-mm %1</translation>
+    </message>
+    <message>
+        <source>Make a study without a device profile, or run this one with detent-play study run or in detent-edit</source>
+        <translation>Machen Sie eine Studie ohne Geräteprofil, oder führen Sie diese mit detent-play study run oder in detent-edit durch</translation>
+    </message>
+    <message>
+        <source>the content is broken</source>
+        <translation>der Inhalt ist beschädigt</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::AudioCapture::Recorder</name>
@@ -12763,10 +12819,6 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::AudioOutput::Stream</name>
     <message>
-        <source>Name the sound device of the headphones with the option --noise-device</source>
-        <translation>Nennen Sie das Audiogerät der Kopfhörer mit der Option --noise-device</translation>
-    </message>
-    <message>
         <source>the sound system or the sound device cannot be started</source>
         <translation>das Tonsystem oder das Audiogerät kann nicht gestartet werden</translation>
     </message>
@@ -12778,16 +12830,28 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>the sound device cannot be opened at %1 Hz</source>
         <translation>das Audiogerät kann bei %1 Hz nicht geöffnet werden</translation>
     </message>
+    <message>
+        <source>Choose the sound device of the headphones for the masking noise</source>
+        <translation>Wählen Sie das Audiogerät der Kopfhörer für das Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>On the command line: --noise-device</source>
+        <translation>Auf der Befehlszeile: --noise-device</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::FalconUsb</name>
     <message>
-        <source>Check its cable and its power supply, or try it without hardware: --device sim:falcon</source>
-        <translation>Prüfen Sie Kabel und Netzteil oder versuchen Sie es ohne Gerät: --device sim:falcon</translation>
-    </message>
-    <message>
         <source>the Falcon is not connected</source>
         <translation>der Falcon ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>Check its cable and its power supply, or try the simulated Falcon</source>
+        <translation>Prüfen Sie Kabel und Netzteil, oder versuchen Sie den simulierten Falcon</translation>
+    </message>
+    <message>
+        <source>On the command line: --device sim:falcon</source>
+        <translation>Auf der Befehlszeile: --device sim:falcon</translation>
     </message>
 </context>
 <context>
@@ -12802,10 +12866,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the JACK server does not answer</source>
         <translation>der JACK-Server antwortet nicht</translation>
-    </message>
-    <message>
-        <source>Leave --device-rate out</source>
-        <translation>Lassen Sie --device-rate weg</translation>
     </message>
     <message>
         <source>Close another JACK program</source>
@@ -12854,6 +12914,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Choose a sound device without &quot;JACK:&quot;, or install a build of Detent with JACK</source>
         <translation>Wählen Sie ein Audiogerät ohne „JACK:“, oder installieren Sie ein Detent mit JACK</translation>
+    </message>
+    <message>
+        <source>Choose the rate of the device</source>
+        <translation>Wählen Sie die Rate des Geräts</translation>
+    </message>
+    <message>
+        <source>On the command line, leave --device-rate out</source>
+        <translation>Lassen Sie auf der Befehlszeile --device-rate weg</translation>
     </message>
 </context>
 <context>
@@ -13101,10 +13169,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Geben Sie Werte zwischen -1 und 1 an</translation>
     </message>
     <message>
-        <source>Leave --noise-device out, or name the device of the headphones</source>
-        <translation>Lassen Sie --noise-device weg, oder nennen Sie das Gerät der Kopfhörer</translation>
-    </message>
-    <message>
         <source>nothing can be played without a sound device</source>
         <translation>ohne Audiogerät lässt sich nichts wiedergeben</translation>
     </message>
@@ -13131,6 +13195,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>too many requests to play samples came at the same time</source>
         <translation>zu viele Aufträge zum Abspielen von Samples, kamen gleichzeitig</translation>
+    </message>
+    <message>
+        <source>Choose the sound device of the headphones for the masking noise</source>
+        <translation>Wählen Sie das Audiogerät der Kopfhörer für das Maskierrauschen</translation>
+    </message>
+    <message>
+        <source>On the command line: --noise-device</source>
+        <translation>Auf der Befehlszeile: --noise-device</translation>
     </message>
 </context>
 <context>
@@ -13249,10 +13321,6 @@ oder öffnen Sie eine Datei (%2).</translation>
 <context>
     <name>detent::playback::SerialForceDevice</name>
     <message>
-        <source>Give --max-N %1</source>
-        <translation>Geben Sie --max-N %1 an</translation>
-    </message>
-    <message>
         <source>Check that the firmware follows docs/reference/force-protocol.md and that the baud rate is the same</source>
         <translation>Prüfen Sie, ob die Firmware docs/reference/force-protocol.md befolgt und die Baudrate dieselbe ist</translation>
     </message>
@@ -13304,6 +13372,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>does not answer</source>
         <translation>antwortet nicht</translation>
     </message>
+    <message>
+        <source>Set this as the largest force and start again</source>
+        <translation>Stellen Sie diese Kraft als größte ein, und starten Sie neu</translation>
+    </message>
+    <message>
+        <source>On the command line: --max-N %1</source>
+        <translation>Auf der Befehlszeile: --max-N %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::playback::SerialLink</name>
@@ -13322,10 +13398,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Unplug one of them, or give a name under /dev/serial/by-path</source>
         <translation>Eines davon abstecken oder einen Namen unter /dev/serial/by-path angeben</translation>
-    </message>
-    <message>
-        <source>Give another --baud, and set it in the firmware too</source>
-        <translation>Geben Sie ein anderes --baud an und stellen Sie es auch in der Firmware ein</translation>
     </message>
     <message>
         <source>a speed of %1 baud is not supported</source>
@@ -13350,6 +13422,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the device cannot be opened (%1)</source>
         <translation>das Gerät kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>Choose another baud rate, and set it in the firmware too</source>
+        <translation>Wählen Sie eine andere Baudrate, und stellen Sie sie auch in der Firmware ein</translation>
+    </message>
+    <message>
+        <source>On the command line: --baud</source>
+        <translation>Auf der Befehlszeile: --baud</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "editor/feel/feel_settings.h"
+#include "editor/feel/force_meter.h"
 #include "editor/feel/level_meter.h"
 #include "editor/feel/placement_delays.h"
 #include "editor/feel/press_signal_source.h"
@@ -62,6 +63,20 @@ class FeelPartsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // The energy is a fault only where the shown balance is one.
+  void noBalanceOfZeroIsShownAsAFault() {
+    for (const auto& [balance_mJ, words] : {std::pair(0.0, "0.50 of 1.00 returned"),
+                                            {-0.0012, "0.50 of 1.00 returned"},
+                                            {-0.0049, "0.50 of 1.00 returned"},
+                                            {-0.0051, "balance -0.01 mJ"},
+                                            {-0.3, "balance -0.30 mJ"}}) {
+      ViewSettings view;
+      ForceMeter meter(view);
+      meter.show({}, {0.5, 1, 0.5, balance_mJ}, 5);
+      QVERIFY2(meter.accessibleDescription().contains(words), qPrintable(meter.accessibleDescription()));
+    }
+  }
+
   void aSignalHoldsWhatTheButtonHas() {
     const PressSignal tactile = pressSignalOf({tactileButton(), {}, {}});
     QVERIFY(!tactile.failure);

@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
@@ -63,6 +65,11 @@ class FilesTest : public QObject {
     QCOMPARE(*inputKindOf(at("other.json")), InputKind::button);
     QCOMPARE(inputKindOf(at("nothing.json")).failure().code, FailureCode::unreadableInput);
     QCOMPARE(inputKindOf(folder_->path()).failure().code, FailureCode::unreadableInput);
+    for (const char* pipe : {"pipe", "pipe.png", "pipe.json", "pipe.csv"}) {  // nobody will ever write to it
+      QCOMPARE(mkfifo(qPrintable(at(pipe)), 0600), 0);
+      QVERIFY(openDocument(at(pipe)).failure().sentence().find("this is not an ordinary file") !=
+              std::string::npos);
+    }
   }
 
   void savesWhatItOpens() {

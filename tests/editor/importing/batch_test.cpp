@@ -118,9 +118,13 @@ class BatchTest : public QObject {
       QVERIFY(alone.ok());
       QCOMPARE(rig.cell(row, 1), QString("%1 %").arg(qRound(100 * confidence)));
     }
-    QCOMPARE(rig.cell(2, 1), QString("Question"));
-    QVERIFY2(rig.cell(2, 2).startsWith("Which switch should be read? ") && rig.cell(2, 2).contains("Red"),
-             qPrintable(rig.cell(2, 2)));
+    const QTreeWidgetItem& two = *rig.list->topLevelItem(2);  // two switches in one plot
+    QCOMPARE(two.text(1), QString("2 of 2"));
+    for (int row = 0; row < two.childCount(); ++row) {
+      QVERIFY2(two.child(row)->text(0).endsWith(row == 0 ? "graph 1: Brown" : "graph 1: Red"),
+               qPrintable(two.child(row)->text(0)));
+      QVERIFY2(two.child(row)->text(1).endsWith('%'), qPrintable(two.child(row)->text(1)));
+    }
     for (int row = 3; row < 6; ++row) {
       QCOMPARE(rig.cell(row, 1), QString("Refused"));
       QVERIFY2(rig.cell(row, 2).size() > 10 && !rig.cell(row, 2).contains("--"),
@@ -128,7 +132,7 @@ class BatchTest : public QObject {
     }
     if (const QString pictures = qEnvironmentVariable("DETENT_PICTURES"); !pictures.isEmpty())
       rig.dialog->grab().save(pictures + "/batch.png");
-    QVERIFY2(rig.summary().contains("6 of 6 files. Buttons: 2 (to check: 0), questions: 1, refused: 3."),
+    QVERIFY2(rig.summary().contains("6 of 6 files. Buttons: 4 (to check: 0), questions: 0, refused: 3."),
              qPrintable(rig.summary()));
   }
 

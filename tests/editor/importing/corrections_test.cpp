@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/corrections.h"
 
+#include <filesystem>
+#include <fstream>
 #include <QLocale>
+#include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -205,6 +209,31 @@ TEST_CASE("Findings are worded in the units shown and in the person's number sty
   const QString german = inWords(shifted, modelUnits);
   QLocale::setDefault(before);
   CHECK(german.contains("1,27 mm"));
+}
+
+TEST_CASE("A table that is refused comes with advice that a window can follow") {
+  const auto rows = [](const std::string& before, double strength) {
+    std::string text;
+    for (int i = 0; i <= 40; ++i)
+      text += before + std::to_string(0.1 * i) + "," + std::to_string(strength * (0.2 + 0.1 * i)) + "\n";
+    return text;
+  };
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"cycle,displacement (mm),force (N)\n" + rows("1,", 0.2) + rows("2,", 1.5), "a file of its own"},
+      {"temperature,current\n" + rows("", 1), "titles such as"}};
+  for (const auto& [table, words] : cases) {
+    const std::string path = "corrections_test_table.csv";
+    std::ofstream(path) << table;
+    importer::ImportRequest request;
+    request.path = path;
+    const auto attempt = importer::ImportSession::open(path)->attempt(request);
+    REQUIRE_FALSE(attempt.report.ok());
+    const Advice advice = adviceFor(attempt.report.failure(), "table.csv", modelUnits);
+    INFO(advice.problem.toStdString() << " " << advice.remedy.toStdString());
+    CHECK(advice.remedy.contains(QString::fromStdString(words)));
+    CHECK_FALSE(advice.remedy.contains("--"));
+    std::filesystem::remove(path);
+  }
 }
 
 TEST_CASE("Every finding has words at the editor, and none names an option of a program") {
