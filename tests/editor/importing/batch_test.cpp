@@ -125,6 +125,13 @@ class BatchTest : public QObject {
                qPrintable(two.child(row)->text(0)));
       QVERIFY2(two.child(row)->text(1).endsWith('%'), qPrintable(two.child(row)->text(1)));
     }
+    importer::ImportRequest red;
+    red.path = at("two.svg").toStdString();
+    red.hints.strokes.curve = "2";
+    const auto attempt = importer::ImportSession::open(red.path)->attempt(red);
+    rig.dialog->takeChecked(at("two.svg"), *attempt.report);
+    for (int row = 0; row < two.childCount(); ++row)
+      QCOMPARE(two.child(row)->text(1).endsWith(", checked"), row == 1);
     for (int row = 3; row < 6; ++row) {
       QCOMPARE(rig.cell(row, 1), QString("Refused"));
       QVERIFY2(rig.cell(row, 2).size() > 10 && !rig.cell(row, 2).contains("--"),
