@@ -33,11 +33,10 @@ StrokePoints strokeFromDrawn(const std::vector<Point>& drawn, Stroke stroke, con
   std::vector<Point> drawn_px;
   for (const Point& p : drawn) drawn_px.push_back(toView(p));
   const Box box = frame.box();
-  DrawnOptions options;
-  options.reach_px =
+  const double reach_px =
       std::clamp(reachShare * std::hypot(box.width(), box.height()), leastReach_px, mostReach_px);
   StrokePoints points;
-  points.points_px = followDrawn(view.raster, drawn_px, options);
+  points.points_px = followDrawn(view.raster, drawn_px, reach_px);
   if (points.points_px.size() < 2) return {};
   const auto displacement = [&](Point p) { return calibration.toUnits(p).x; };
   const bool increases = displacement(points.points_px.front()) < displacement(points.points_px.back());

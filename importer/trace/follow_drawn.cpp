@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <queue>
 
 #include "importer/trace/curve_colour.h"
 
@@ -20,6 +23,7 @@ constexpr double bendCost = 0.06;        // of coverage per half pixel from one 
 constexpr int steepest = 2;              // half pixels from one point to the next
 constexpr double centreWithin_px = 2.5;  // coverage of one line
 constexpr double clearCoverage = 0.3;    // coverage
+constexpr double wayCost = 0.15;         // of a pixel of the curve; one of paper costs 1 more
 
 double distance(Color3 a, Color3 b) { return norm(a - b); }
 
@@ -47,17 +51,14 @@ Point onSpline(const std::array<Point, 4>& p, double share) {
   return between(b1, b2, t[1], t[2]);
 }
 
-std::vector<Point> smoothLine(const std::vector<Point>& drawn, double spacing_px) {
+/// The smooth line through the drawn points from one of them to the next, without the last point.
+std::vector<Point> smoothPiece(const std::vector<Point>& drawn, std::size_t i) {
+  const Point before = i > 0 ? drawn[i - 1] : mix(drawn[1], drawn[0], 2);
+  const Point after = i + 2 < drawn.size() ? drawn[i + 2] : mix(drawn[i], drawn[i + 1], 2);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(distance(drawn[i], drawn[i + 1]))));
   std::vector<Point> line;
-  for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
-    const Point before = i > 0 ? drawn[i - 1] : mix(drawn[1], drawn[0], 2);
-    const Point after = i + 2 < drawn.size() ? drawn[i + 2] : mix(drawn[i], drawn[i + 1], 2);
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(distance(drawn[i], drawn[i + 1]) / spacing_px)));
-    for (int k = 0; k < pieces; ++k)
-      line.push_back(onSpline({before, drawn[i], drawn[i + 1], after}, static_cast<double>(k) / pieces));
-  }
-  line.push_back(drawn.back());
+  for (int k = 0; k < pieces; ++k)
+    line.push_back(onSpline({before, drawn[i], drawn[i + 1], after}, static_cast<double>(k) / pieces));
   return line;
 }
 
@@ -114,30 +115,143 @@ Color3 medianOf(std::vector<Color3> colors) {
   return {median(&Color3::r), median(&Color3::g), median(&Color3::b)};
 }
 
-/// Coverage of each colour by the line: 1 the line, 0 the paper. The line's colour is the one that differs
-/// most from the paper near the middle of all rows; other colours count by their similarity.
-std::vector<double> coverageOf(const Band& band) {
-  const Color3 paper = medianOf(band.colors);
-  std::vector<Color3> strongest;
-  for (std::size_t row = 0; row < band.rows; ++row) {
+/// Colours of a curve and of the paper around it.
+struct Ink {
+  Color3 paper, color;
+  /// 1 the curve, 0 the paper; other colours count by their similarity.
+  double coverage(Color3 c) const {
+    return std::clamp(1 - distance(c, color) / distance(paper, color), 0.0, 1.0);
+  }
+};
+
+/// The places within reach of a point, and how near they are: 1 the point, 0 the end of the reach.
+template <class Visit>
+void visitAround(Point p, double reach_px, const Visit& visit) {
+  for (double dy = -reach_px; dy <= reach_px; dy += 1)
+    for (double dx = -reach_px; dx <= reach_px; dx += 1)
+      if (const double d = std::hypot(dx, dy); d <= reach_px)
+        visit(Point{p.x + dx, p.y + dy}, 1 - d / reach_px);
+}
+
+/// The ink beside the drawn points. Each has the colour near it that differs most from the paper; of these the
+/// one that all others are nearest to. nullopt on bare paper.
+std::optional<Ink> inkBeside(const Raster& raster, const std::vector<Point>& drawn, double reach_px) {
+  std::vector<Color3> all, strongest;
+  for (const Point& p : drawn)
+    visitAround(p, reach_px, [&](Point at, double) { all.push_back(colorBetween(raster, at)); });
+  const Color3 paper = medianOf(std::move(all));
+  for (const Point& p : drawn) {
     Color3 best = paper;
     double most = leastMarkContrast;
-    for (std::size_t column = 0; column < band.columns; ++column) {
-      const double away =
-          1 - awayCost * std::abs(band.offset_px(column)) / std::max(-band.offset_px(0), 1e-9);
-      const double d = away * distance(band.at(row, column), paper);
-      if (d > most) most = d, best = band.at(row, column);
-    }
+    visitAround(p, reach_px, [&](Point at, double near) {
+      const Color3 color = colorBetween(raster, at);
+      if (const double d = (0.5 + 0.5 * near) * distance(color, paper); d > most) most = d, best = color;
+    });
     if (most > leastMarkContrast) strongest.push_back(best);
   }
-  std::vector<double> coverage(band.colors.size(), 0);
-  if (strongest.empty()) return coverage;
-  const Color3 color = medianOf(std::move(strongest));
-  const double contrast = distance(color, paper);
-  if (contrast < leastMarkContrast) return coverage;
-  for (std::size_t i = 0; i < coverage.size(); ++i)
-    coverage[i] = std::clamp(1 - distance(band.colors[i], color) / contrast, 0.0, 1.0);
-  return coverage;
+  const auto apart = [&](Color3 color) {
+    double sum = 0;
+    for (const Color3& other : strongest) sum += distance(color, other);
+    return sum;
+  };
+  const auto middle = std::ranges::min_element(strongest, {}, apart);
+  return middle != strongest.end() ? std::optional(Ink{paper, *middle}) : std::nullopt;
+}
+
+/// The place within reach of a drawn point that is most of the curve and near; the point itself on paper.
+Point onCurve(const Raster& raster, const Ink& ink, Point drawn, double reach_px) {
+  Point best = drawn;
+  double most = clearCoverage;
+  visitAround(drawn, reach_px, [&](Point at, double near) {
+    const double score = (0.5 + 0.5 * near) * ink.coverage(colorBetween(raster, at));
+    if (score > most) most = score, best = at;
+  });
+  return best;
+}
+
+/// The way between two places with the most ink for its length, pixel by pixel, without its end. Empty if it
+/// runs over paper for the most part, and if a place is outside the picture.
+std::vector<Point> wayOnInk(const Raster& raster, const Ink& ink, Point from, Point to, double reach_px) {
+  constexpr double aside = 0.5;  // distances of the two places; a curve between them stays within
+  const double margin_px = 2 * reach_px + aside * distance(from, to);
+  const auto cut = [](double at_px, int size_px) {
+    return static_cast<int>(std::clamp(std::lround(at_px), 0L, size_px - 1L));
+  };
+  const auto [left, right] = std::minmax(from.x, to.x);
+  const auto [top, lowest] = std::minmax(from.y, to.y);
+  const int x0 = cut(left - margin_px, raster.width_px), x1 = cut(right + margin_px, raster.width_px),
+            y0 = cut(top - margin_px, raster.height_px), y1 = cut(lowest + margin_px, raster.height_px);
+  const int width = x1 - x0 + 1, height = y1 - y0 + 1;
+  const auto placeOf = [&](Point p) {
+    return (cut(p.y, raster.height_px) - y0) * width + cut(p.x, raster.width_px) - x0;
+  };
+  struct Node {
+    double cost;
+    int place;
+    bool operator>(const Node& other) const { return cost > other.cost; }
+  };
+  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<double> costs(size, INFINITY);
+  std::vector<int> cameFrom(size, -1);
+  std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
+  const int start = placeOf(from), goal = placeOf(to);
+  costs[static_cast<std::size_t>(start)] = 0;
+  open.push({0, start});
+  while (!open.empty()) {
+    const Node node = open.top();
+    open.pop();
+    if (node.place == goal) break;
+    if (node.cost > costs[static_cast<std::size_t>(node.place)]) continue;
+    const int x = node.place % width, y = node.place / width;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        if ((dx == 0 && dy == 0) || x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height) continue;
+        const int next = node.place + dy * width + dx;
+        const double paper = 1 - ink.coverage(colorAt(raster, x0 + x + dx, y0 + y + dy));
+        const double cost = node.cost + std::hypot(dx, dy) * (wayCost + paper);
+        if (cost >= costs[static_cast<std::size_t>(next)]) continue;
+        costs[static_cast<std::size_t>(next)] = cost;
+        cameFrom[static_cast<std::size_t>(next)] = node.place;
+        open.push({cost, next});
+      }
+  }
+  std::vector<Point> way;
+  double covered = 0;
+  for (int at = cameFrom[static_cast<std::size_t>(goal)]; at >= 0;
+       at = cameFrom[static_cast<std::size_t>(at)]) {
+    way.push_back({static_cast<double>(x0 + at % width), static_cast<double>(y0 + at / width)});
+    covered += ink.coverage(colorAt(raster, x0 + at % width, y0 + at / width));
+  }
+  if (covered < clearCoverage * static_cast<double>(way.size())) return {};
+  std::ranges::reverse(way);
+  return way;
+}
+
+/// Without the steps of pixels: each point the mean of its neighbours.
+std::vector<Point> withoutSteps(const std::vector<Point>& line) {
+  constexpr std::size_t most = 3;  // neighbours on either side
+  std::vector<Point> smooth = line;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const std::size_t beside = std::min({most, i, line.size() - 1 - i});
+    Point sum;
+    for (std::size_t k = i - beside; k <= i + beside; ++k) sum = sum + line[k];
+    smooth[i] = (1.0 / static_cast<double>(2 * beside + 1)) * sum;
+  }
+  return smooth;
+}
+
+/// The drawn line on the curve's pixels, piece by piece.
+std::vector<Point> lineOnInk(const Raster& raster, const Ink& ink, const std::vector<Point>& drawn,
+                             double reach_px) {
+  std::vector<Point> line, snapped;
+  for (const Point& p : drawn) snapped.push_back(onCurve(raster, ink, p, reach_px));
+  for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
+    std::vector<Point> way = wayOnInk(raster, ink, snapped[i], snapped[i + 1], reach_px);
+    if (way.empty()) way = smoothPiece(drawn, i);
+    line.insert(line.end(), way.begin(), way.end());
+  }
+  line.push_back(snapped.back());
+  return withoutSteps(line);
 }
 
 /// The path of offsets with the most coverage for the least bending (dynamic programming).
@@ -190,14 +304,23 @@ double centred(const Band& band, const std::vector<double>& coverage, std::size_
 
 }  // namespace
 
-std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px,
-                               const DrawnOptions& options) {
+std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px, double reach_px) {
   const std::vector<Point> drawn = withoutRepeatedPoints(drawn_px);
   if (drawn.size() < 2) return {};
-  std::vector<Point> line = smoothLine(drawn, options.spacing_px);
-  if (raster.empty()) return line;
-  const Band band = bandAlong(raster, line, options.reach_px);
-  const std::vector<double> coverage = coverageOf(band);
+  const std::optional<Ink> ink = raster.empty() ? std::nullopt : inkBeside(raster, drawn, reach_px);
+  if (!ink) {
+    std::vector<Point> line;
+    for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
+      const std::vector<Point> piece = smoothPiece(drawn, i);
+      line.insert(line.end(), piece.begin(), piece.end());
+    }
+    line.push_back(drawn.back());
+    return line;
+  }
+  const std::vector<Point> line = lineOnInk(raster, *ink, drawn, reach_px);
+  const Band band = bandAlong(raster, line, reach_px);
+  std::vector<double> coverage;
+  for (const Color3& color : band.colors) coverage.push_back(ink->coverage(color));
   const std::vector<std::size_t> path = bestPath(band, coverage);
   std::vector<Point> followed;
   followed.reserve(line.size());

@@ -8,16 +8,11 @@
 
 namespace detent::importer {
 
-/// Options for following a drawn line. Plain value.
-struct DrawnOptions {
-  double reach_px = 8;    ///< search distance from the line; (0, 64]
-  double spacing_px = 1;  ///< spacing of the resulting points; (0, 16]
-};
-
-/// Returns points along a smooth line through the drawn ones, each pulled to the middle of the curve near it.
-/// The pull is one path for the whole line: across gaps and gridlines the line continues, and without any
-/// curve it stays as drawn. Fewer than two different points give an empty result. View pixels; any thread.
-std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px,
-                               const DrawnOptions& options = {});
+/// Returns points about a pixel apart along the curve that runs by the drawn ones: between two of them the way
+/// with the most of the curve's colour for its length (Mortensen, Barrett, "Intelligent scissors for image
+/// composition", 1995), then the middle of the curve. Gaps are bridged; where there is no curve, the points
+/// lie on a smooth line through the drawn ones. Fewer than two different points give an empty result.
+/// `reach_px`: distance up to which a drawn point may lie beside the curve; (0, 64]. View pixels; any thread.
+std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px, double reach_px = 8);
 
 }  // namespace detent::importer

@@ -48,6 +48,17 @@ class NamedPoint {
     frame_.xLines.push_back({x, 2, true});
   }
 
+  /// Lets the press rise upright from its end to a row.
+  void bottomOut(double top) {
+    StrokePoints& press = strokes_.press;
+    const Point foot = press.points_px.back();
+    for (double y = foot.y; y >= top; y -= 1) {
+      press.points_px.push_back({foot.x, y});
+      press.points.push_back({foot.x / 100, (310 - y) / 100});
+    }
+    line(foot, {foot.x, top});
+  }
+
   /// Keeps the ends of the press and a point of its straight way, as a document may draw it.
   void thinOut() {
     StrokePoints& press = strokes_.press;
@@ -92,6 +103,17 @@ TEST_CASE("a longer leader that passes by the text belongs to another one") {
   const auto found = plot.read();
   REQUIRE(found.size() == 1);
   CHECK(found[0].at_px.x == Approx(200).margin(6));
+}
+
+TEST_CASE("a line from a word to the bottom-out is no leader") {
+  NamedPoint plot({260, 40, 360, 56});
+  plot.bottomOut(20);
+  plot.line({364, 50}, {400, 70});
+  CHECK(plot.read().empty());
+  plot.line({300, 60}, NamedPoint::onPress(250));
+  const auto found = plot.read();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].at_px.x == Approx(250).margin(6));
 }
 
 TEST_CASE("a press that a document draws with few points is no leader") {

@@ -101,6 +101,24 @@ TEST_CASE("a gap in the curve is bridged, and without a curve the line stays as 
   for (const Point& p : followDrawn(blank.raster, drawn)) CHECK(std::abs(p.y - hill(p.x)) < 0.5);
 }
 
+TEST_CASE("a few clicks at the turns are enough, however far the curve runs from a line through them") {
+  Paper paper(400, 200);
+  SECTION("one curve") {}
+  SECTION("a curve of another colour near and across") {
+    paper.curve([](double x) { return hill(x) - 25 + 0.15 * x; }, {40, 90, 210}, 2);
+  }
+  SECTION("gridlines as dark as the curve") {
+    for (const double y : {75.0, 115.0, 155.0}) paper.curve([y](double) { return y; }, red, 1);
+  }
+  paper.curve(hill, red, 2);
+  const std::vector<Point> clicks{{22, hill(22)}, {150, hill(150)}, {240, hill(240)}, {380, hill(380)}};
+  const auto followed = followDrawn(paper.raster, clicks);
+  CHECK(rms(followed) < 0.4);
+  CHECK(std::ranges::all_of(followed, [](Point p) { return std::abs(p.y - hill(p.x)) < 2; }));
+  CHECK(followed.front().x < 24);
+  CHECK(followed.back().x > 378);
+}
+
 TEST_CASE("dark paper is paper too") {
   Paper paper(400, 200);
   std::fill(paper.raster.rgb.begin(), paper.raster.rgb.end(), std::uint8_t(25));
