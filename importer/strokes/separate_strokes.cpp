@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "importer/axes/text_source.h"
 #include "importer/page/polyline.h"
-#include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
+#include "importer/strokes/pair_shape.h"
+#include "importer/strokes/pairings.h"
 #include "importer/strokes/stroke_pair.h"
 #include "importer/strokes/switches.h"
 
@@ -56,90 +56,11 @@ StrokePoints travelledBack(StrokePoints stroke) {
   return stroke;
 }
 
-/// Mean force per cell of displacement; NaN where the stroke does not run.
-std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, double to_mm, std::size_t cells) {
-  std::vector<double> sum(cells, 0), n(cells, 0);
-  const auto cellOf = [&](double mm) {
-    return (mm - from_mm) / (to_mm - from_mm) * static_cast<double>(cells);
-  };
-  for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
-    const CurvePoint a = stroke.points[i], b = stroke.points[i + 1];
-    const double ca = cellOf(a.displacement_mm), cb = cellOf(b.displacement_mm);
-    // One sample per cell crossed, at least one per piece: sparse polylines fill every cell they pass.
-    const int pieces = std::max(1, static_cast<int>(std::ceil(2 * std::abs(cb - ca))));
-    for (int k = 0; k <= pieces; ++k) {
-      const double t = static_cast<double>(k) / pieces, c = ca + t * (cb - ca);
-      if (c < 0 || c >= static_cast<double>(cells)) continue;
-      sum[static_cast<std::size_t>(c)] += a.force_N + t * (b.force_N - a.force_N);
-      n[static_cast<std::size_t>(c)] += 1;
-    }
-  }
-  for (std::size_t i = 0; i < cells; ++i) sum[i] = n[i] > 0 ? sum[i] / n[i] : NAN;
-  return sum;
-}
-
-struct Comparison {
-  double commonShare = 0;  ///< displacement that both cover, relative to that which either covers
-  /// share of the common displacement where the first stroke lies clearly above the second
-  double above = 0;
-  double below = 0;
-  double topDifference_N = 0;  ///< highest force of the first minus that of the second
-};
-
-/// Bottom-outs at the ends are left out, because there a small shift in displacement is a large difference in
-/// force.
-Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N) {
-  Comparison c;
-  const auto span = [](const StrokePoints& s) {
-    const auto [low, high] =
-        std::minmax_element(s.points.begin(), s.points.end(),
-                            [](CurvePoint p, CurvePoint q) { return p.displacement_mm < q.displacement_mm; });
-    return std::pair(low->displacement_mm, high->displacement_mm);
-  };
-  const auto top = [](const StrokePoints& s) {
-    return std::max_element(s.points.begin(), s.points.end(),
-                            [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; })
-        ->force_N;
-  };
-  c.topDifference_N = top(a) - top(b);
-  const auto [a0, a1] = span(a);
-  const auto [b0, b1] = span(b);
-  const double from = std::max(a0, b0), to = std::min(a1, b1);
-  const double either = std::max(a1, b1) - std::min(a0, b0);
-  c.commonShare = either > 0 ? std::max(0.0, to - from) / either : 0;
-  if (!(to > from)) return c;
-  constexpr std::size_t kCells = 200;
-  const std::vector<double> forceA = meanForces(a, from, to, kCells),
-                            forceB = meanForces(b, from, to, kCells);
-  double n = 0;
-  for (std::size_t i = kCells / 50; i < kCells - kCells / 50; ++i) {
-    if (!std::isfinite(forceA[i]) || !std::isfinite(forceB[i])) continue;
-    n += 1;
-    if (forceA[i] - forceB[i] > clear_N) c.above += 1;
-    if (forceB[i] - forceA[i] > clear_N) c.below += 1;
-  }
-  if (n > 0) {
-    c.above /= n;
-    c.below /= n;
-  }
-  return c;
-}
-
 /// Confidence from a trace's own confidence: 0 for no curve, 1 from 0.7 on.
 double credit(double traceConfidence) { return std::clamp(0.2 + 1.15 * traceConfidence, 0.0, 1.0); }
 
-/// The strokes of one switch run over the same travel; leaders, markers and curves of two switches need not.
-double creditOfTravel(const Comparison& c) { return std::clamp((c.commonShare - 0.2) / 0.4, 0.0, 1.0); }
-
-/// Returns true if the legend calls one trace the press and the other the release, so that they belong
-/// together. The release of a key that stays locked has half the travel.
-bool namedAsPair(const CurveTrace& first, const CurveTrace& second) {
-  const auto a = strokeNamedBy(first.label), b = strokeNamedBy(second.label);
-  return a && b && *a != *b;
-}
-
 /// Decides which of two traces is the press.
-Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
+Verdict judge(const CurveTrace& first, const CurveTrace& second, const PairShape& shape) {
   Verdict verdict;
   const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds,
                         EvidenceCode source) {
@@ -149,14 +70,15 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
   };
   vote(first.stroke, second.stroke, 5, EvidenceCode::distinguishedByPath);
   vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, EvidenceCode::namedByLegend);
-  const double apart = c.above + c.below;
+  const double apart = shape.above + shape.below;
   if (apart > 0.02) {
-    const double lead = (c.above - c.below) / apart;
-    verdict.add(4 * lead * std::min(1.0, apart / 0.1),
-                {EvidenceCode::pressAboveRelease, {{std::max(c.above, c.below) / apart, Measure::share}}});
+    const double lead = (shape.above - shape.below) / apart;
+    verdict.add(
+        4 * lead * std::min(1.0, apart / 0.1),
+        {EvidenceCode::pressAboveRelease, {{std::max(shape.above, shape.below) / apart, Measure::share}}});
   }
-  if (std::abs(c.topDifference_N) > 3 * newtonPerPx)
-    verdict.add(c.topDifference_N > 0 ? 0.7 : -0.7, {EvidenceCode::oneHigherForce});
+  if (std::abs(shape.topsApart) > 0.01)
+    verdict.add(shape.topsApart > 0 ? 0.7 : -0.7, {EvidenceCode::oneHigherForce});
   return verdict;
 }
 
@@ -237,238 +159,25 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
   return found;
 }
 
-/// A key returns no more energy than was put into it. A curve above the press over a noticeable share of the
-/// travel is therefore a callout's box or another switch's curve. Colours given by the user are accepted.
-std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoints& release) {
-  // share of the press force; share of the shared travel
-  constexpr double clearShare = 0.05, leastTravel = 0.15;
-  const auto [low, high] =
-      std::minmax_element(press.points.begin(), press.points.end(),
-                          [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; });
-  const double share = compare(press, release, clearShare * (high->force_N - low->force_N)).below;
-  if (share < leastTravel) return {};
-  return failureOf({DoubtCode::releaseAbovePress,
-                    {{share, Measure::share}},
-                    {{RemedyKind::addMask, "over what is not a curve"},
-                     {RemedyKind::pickPress, {}},
-                     {RemedyKind::pickRelease, {}}}},
-                   "plot frame");
-}
-
-/// A stroke's largest drop of force over increasing displacement.
-struct Drop {
-  double force_N = 0;
-  /// displacement at which most of the drop has happened: on the flat floor of a valley, noise decides which
-  /// point is lowest
-  double valley_mm = 0;
-};
-
-Drop largestDrop(const StrokePoints& stroke) {
-  constexpr double over = 0.95;  // share of the drop
-  Drop largest;
-  auto peak = stroke.points.begin(), from = peak;
-  for (auto p = stroke.points.begin(); p != stroke.points.end(); ++p) {
-    if (p->force_N > peak->force_N) peak = p;
-    if (peak->force_N - p->force_N > largest.force_N)
-      largest.force_N = peak->force_N - p->force_N, from = peak;
-  }
-  const auto valley = std::find_if(from, stroke.points.end(), [&](CurvePoint p) {
-    return from->force_N - p.force_N >= over * largest.force_N;
-  });
-  if (valley != stroke.points.end()) largest.valley_mm = valley->displacement_mm;
-  return largest;
-}
-
-double topOf(const StrokePoints& stroke, double CurvePoint::*coordinate) {
-  return (*std::ranges::max_element(stroke.points, {}, coordinate)).*coordinate;
-}
-
-/// Returns true if both strokes drop so much that position and shape of the drops distinguish them.
-bool bothDrop(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double leastDrop = 0.05;  // share of the press' highest force
-  const double highest_N = topOf(press, &CurvePoint::force_N);
-  return std::min(largestDrop(press).force_N, largestDrop(release).force_N) > leastDrop * highest_N;
-}
-
-/// Returns true if the release drops at larger displacement than the press. Friction delays a switch, so its
-/// release drops at less displacement; otherwise it is another switch's. Both by increasing displacement
-/// (docs/develop/decisions/0809-several-curves-in-one-colour.md).
-bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
-  constexpr double late = 0.05;  // share of the travel; 192 pairs have 0.035 at most, a named dome more
-  const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;
-  return bothDrop(press, release) &&
-         largestDrop(release).valley_mm - largestDrop(press).valley_mm > late * travel_mm;
-}
-
-/// Span of both strokes together.
-double spanOfBoth(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
-  const double low = (*std::ranges::min_element(first.points, {}, coordinate)).*coordinate,
-               otherLow = (*std::ranges::min_element(second.points, {}, coordinate)).*coordinate;
-  return std::max(topOf(first, coordinate), topOf(second, coordinate)) - std::min(low, otherLow);
-}
-
-/// Difference of the first's largest value and the second's, as a share of their common span.
-double topsApart(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
-  return (topOf(first, coordinate) - topOf(second, coordinate)) / spanOfBoth(first, second, coordinate);
-}
-
-/// Returns true if a release ends clearly before the end of the press. It starts where the press ended, so it
-/// was traced incompletely or is another switch's press.
-bool reachApart(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clear = 0.1;  // share of both strokes' travel
-  return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
-}
-
-/// Distance in force between the lines where both end, as a share of their span, if neither is steep there:
-/// the loop is open, as between curves of two switches. On a bottom-out the strokes of one button may be cut
-/// at different heights.
-double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
-  // share of the travel; share of the span, over that stretch
-  constexpr double lastShare = 0.03, steep = 0.1;
-  constexpr std::size_t columns = 200;
-  const double least_mm = lastShare * spanOfBoth(first, second, &CurvePoint::displacement_mm),
-               span_N = spanOfBoth(first, second, &CurvePoint::force_N);
-  struct Tip {
-    double rise_N = 0, force_N = 0;
-  };
-  const auto tipOf = [&](const StrokePoints& stroke) {
-    const double end_mm = topOf(stroke, &CurvePoint::displacement_mm);
-    std::vector<double> forces = meanForces(stroke, end_mm - least_mm, end_mm, columns);
-    std::erase_if(forces, [](double force_N) { return !std::isfinite(force_N); });
-    if (forces.empty()) return Tip{};
-    const auto [low, high] = std::ranges::minmax_element(forces);
-    return Tip{*high - *low, forces.back()};
-  };
-  const Tip a = tipOf(first), b = tipOf(second);
-  if (!(span_N > 0) || std::max(a.rise_N, b.rise_N) > steep * span_N) return 0;
-  return std::abs(a.force_N - b.force_N) / span_N;
-}
-
-/// Returns true if one of two lines in different colours reaches farther and the other higher: they belong to
-/// two switches. A release that ends below the press reaches less in both directions.
-bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clearForce = 0.1;    // share of both strokes' span; 123 drawn pairs have 0.013 at most
-  constexpr double clearTravel = 0.02;  // share of both strokes' span; 0 in those pairs
-  const double higher = topsApart(first, second, &CurvePoint::force_N),
-               further = topsApart(first, second, &CurvePoint::displacement_mm);
-  return higher * further < 0 && std::abs(higher) > clearForce && std::abs(further) > clearTravel;
-}
-
-/// A stroke's points with each coordinate as a share of `span`.
-Polyline inShares(const StrokePoints& stroke, CurvePoint span) {
-  Polyline shares;
-  shares.reserve(stroke.points.size());
-  for (const CurvePoint& p : stroke.points)
-    shares.push_back({p.displacement_mm / span.displacement_mm, p.force_N / span.force_N});
-  return shares;
-}
-
-/// Smaller distance of a far end from the other line, as a share of their common span.
-double gapOfStrokes(const StrokePoints& first, const StrokePoints& second) {
-  const CurvePoint span{spanOfBoth(first, second, &CurvePoint::displacement_mm),
-                        spanOfBoth(first, second, &CurvePoint::force_N)};
-  if (!(span.displacement_mm > 0 && span.force_N > 0)) return 0;
-  const Polyline a = inShares(first, span), b = inShares(second, span);
-  const auto farEnd = [](const Polyline& line) { return *std::ranges::max_element(line, {}, &Point::x); };
-  return gapAtTheEnds(a, farEnd(a), b, farEnd(b));
-}
-
-/// Returns true if two lines in different colours end at different heights, with the lower end beside the
-/// other line and not on it: two presses, each with its own bottom-out. A release that is cut lower on the
-/// bottom-out begins on the press.
-bool bottomOutsApart(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clearForce = 0.12;  // share of both strokes' span
-  // share of both spans; 449 drawn pairs of measured switches have 0.005 at most
-  constexpr double beside = 0.01;
-  return std::abs(topsApart(first, second, &CurvePoint::force_N)) > clearForce &&
-         gapOfStrokes(first, second) > beside;
-}
-
-/// Share of the mean square difference between two strokes, over their common travel, that vanishes if one is
-/// scaled in force and shifted along the travel: 1 for two samples of one shape.
-double sharedShape(const StrokePoints& first, const StrokePoints& second) {
-  constexpr int cells = 200, mostMoved = 20;
-  const double from_mm =
-      std::max(first.points.front().displacement_mm, second.points.front().displacement_mm);
-  const double to_mm =
-      std::min(topOf(first, &CurvePoint::displacement_mm), topOf(second, &CurvePoint::displacement_mm));
-  if (!(to_mm > from_mm)) return 0;
-  const std::vector<double> a = meanForces(first, from_mm, to_mm, cells),
-                            b = meanForces(second, from_mm, to_mm, cells);
-  const auto meanSquare = [&](int moved, std::optional<double> scale) {
-    double aa = 0, ab = 0, bb = 0, n = 0;
-    for (int i = std::max(0, -moved); i < cells - std::max(0, moved); ++i) {
-      const double x = a[static_cast<std::size_t>(i + moved)], y = b[static_cast<std::size_t>(i)];
-      if (!std::isfinite(x) || !std::isfinite(y)) continue;
-      aa += x * x, ab += x * y, bb += y * y, n += 1;
-    }
-    if (!(aa > 0)) return std::numeric_limits<double>::infinity();
-    const double k = scale.value_or(ab / aa);
-    return std::max(0.0, bb - 2 * k * ab + k * k * aa) / n;
-  };
-  const double apart = meanSquare(0, 1);
-  double left = apart;
-  for (int moved = -mostMoved; moved <= mostMoved; ++moved) left = std::min(left, meanSquare(moved, {}));
-  return apart > 0 ? 1 - left / apart : 0;
-}
-
-/// Returns true for two presses, of two samples or states: one is a scaled copy of the other, which friction
-/// cannot cause, and the loop stays open.
-bool twoOfOneShape(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double open = 0.015;  // pairs of one shape have at most 0.007, more with a stepped bottom-out
-  constexpr double alike = 0.9;   // pairs that stay open have 0.84 at most
-  return bothDrop(first, second) && gapOfStrokes(first, second) > open && sharedShape(first, second) > alike;
-}
-
-/// Returns true for the release of a key that locks: both lines end together, and the one that starts at
-/// larger displacement reaches the force at rest from which the other starts, below it along the whole way.
-/// Both by increasing displacement.
-bool locksAtBaseline(const StrokePoints& press, const StrokePoints& release, double below) {
-  constexpr double farther = 0.15, together = 0.015, atRest = 0.1;  // of the span of both
-  constexpr double mostBelow = 0.02;                                // share of the shared travel
-  const double span_mm = spanOfBoth(press, release, &CurvePoint::displacement_mm),
-               rest_N = atRest * spanOfBoth(press, release, &CurvePoint::force_N);
-  const CurvePoint from = press.points.front(), to = release.points.front();
-  return to.displacement_mm - from.displacement_mm > farther * span_mm && below <= mostBelow &&
-         std::max(std::abs(from.force_N), std::abs(to.force_N)) < rest_N && !reachApart(press, release) &&
-         gapOfStrokes(press, release) < together;
-}
-
-/// Press and release of one switch.
+/// Press and release of one switch. `sure`: confidence in that.
 Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second, const AxesFound& axes,
-                                 bool swap) {
-  const AxisCalibration& calibration = axes.calibration.value;
-  StrokePoints a = inUnits(first, calibration), b = inUnits(second, calibration);
+                                 bool swap, double sure) {
+  StrokePoints a = inUnits(first, axes.calibration.value), b = inUnits(second, axes.calibration.value);
   if (a.points.size() < 2 || b.points.size() < 2)
     return pressAlone(a.points.size() < 2 ? second : first, axes);
-  const double newtonPerPx = std::abs(calibration.newtonPerPx());
-  const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
-  const Verdict verdict = judge(first, second, compared, newtonPerPx);
+  const PairShape shape = shapeOf(CurvePath(first), CurvePath(second));
+  const Verdict verdict = judge(first, second, shape);
   Found<StrokePair> found;
   // Two tints that the legend names separately but the tracer saw as one colour: which line has which tint is
   // unknown.
   constexpr double ofMergedTints = 0.45;
-  // largest confidence from the common travel of two curves whose ends lie apart
-  constexpr double ofApart = 0.45;
-  const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
-  const bool paired = namedAsPair(first, second);
-  // share of the force span; 327 drawn or measured buttons have 0.13 at most
-  constexpr double mostOpen = 0.16;
-  const bool apart = !byHand && !paired &&
-                     (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen || twoOfOneShape(a, b) ||
-                      (first.color != second.color && (tipsCrossed(a, b) || bottomOutsApart(a, b))));
-  const bool locks =
-      verdict.logOdds < 0 ? locksAtBaseline(b, a, compared.above) : locksAtBaseline(a, b, compared.below);
-  const double shared = locks ? 1 : creditOfTravel(compared);
-  const double travel = apart ? std::min(ofApart, shared) : shared;
-  const double together = merged ? ofMergedTints : paired ? 1 : travel;
-  found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
+  found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) *
+                     (merged ? ofMergedTints : sure);
   found.evidence = verdict.reasons;
-  if (apart) found.evidence.push_back({EvidenceCode::endsApart});
-  bool firstIsPress = verdict.logOdds >= 0;
+  if (sure < leastSure) found.evidence.push_back({EvidenceCode::endsApart});
+  const bool firstIsPress = (verdict.logOdds >= 0) != swap;
   if (swap) {
-    firstIsPress = !firstIsPress;
     found.by = DecidedBy::given;
     found.confidence = 1;
     found.evidence = {{EvidenceCode::exchangedByHand}};
@@ -478,11 +187,19 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
                       remediesFor(first.color == second.color, {})},
                      "plot frame");
   }
+  // A key returns no more energy than was put into it. A curve above the press over a noticeable share of the
+  // travel is therefore a callout's box or another switch's curve. Colours given by the user are accepted.
+  constexpr double leastTravel = 0.28;  // share of the common travel; keys with two snaps have 0.23 at most
+  const double above = firstIsPress ? shape.farBelow : shape.farAbove;
+  const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
+  if (!byHand && above >= leastTravel)
+    return failureOf({DoubtCode::releaseAbovePress,
+                      {{above, Measure::share}},
+                      {{RemedyKind::addMask, "over what is not a curve"},
+                       {RemedyKind::pickPress, {}},
+                       {RemedyKind::pickRelease, {}}}},
+                     "plot frame");
   if (!firstIsPress) std::swap(a, b);
-  if (!byHand) {
-    if (auto above = releaseAbove(a, b)) return std::move(*above);
-    if (!paired && dropsLater(a, b)) return tooMany({first, second});
-  }
   found.value.press = std::move(a);
   found.value.release = travelledBack(std::move(b));
   return found;
@@ -620,9 +337,11 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   if (chosenTraces.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
-  auto found = chosenTraces.size() == 1 ? pressAlone(strokes.front(), axes)
-                                        : pairOf(strokes[0], strokes[1], axes, hints.swap);
+  auto found = chosenTraces.size() == 1
+                   ? pressAlone(strokes.front(), axes)
+                   : pairOf(strokes[0], strokes[1], axes, hints.swap, switches[*chosen].sure);
   if (!found) return found;
+  if (chosenTraces.size() == 1) found->confidence *= switches[*chosen].sure;
   // One of several switches that no legend distinguishes: its release may lie under another one.
   constexpr double ofOneOfSeveral = 0.6;
   if (chosenTraces.size() == 1 && switches.size() > 1 && traces[chosenTraces.front()].label.empty())

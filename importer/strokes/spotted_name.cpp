@@ -116,6 +116,16 @@ bool isRunThrough(const Box& word, const std::vector<CurveTrace>& traces) {
   });
 }
 
+/// Returns true if the writing has the colour of a curve, so that the colour beside a name is no key.
+bool hasItsColour(const Box& word, const PlotSwitch& plotSwitch, const std::vector<CurveTrace>& traces,
+                  const Raster& picture) {
+  for (int y = static_cast<int>(word.y0); y < static_cast<int>(word.y1); ++y)
+    for (int x = static_cast<int>(word.x0); x < static_cast<int>(word.x1); ++x)
+      for (const std::size_t t : plotSwitch.traces)
+        if (hasColour(picture, traces[t].color, x, y)) return true;
+  return false;
+}
+
 /// The switch beside which a name stands.
 std::optional<std::size_t> nearestTo(const std::vector<PlotSwitch>& switches,
                                      const std::vector<CurveTrace>& traces, const Box& word,
@@ -124,6 +134,7 @@ std::optional<std::size_t> nearestTo(const std::vector<PlotSwitch>& switches,
   int columns = 0;
   bool tied = false;
   for (std::size_t i = 0; i < switches.size(); ++i) {
+    if (hasItsColour(word, switches[i], traces, picture)) return {};
     const auto to = columnsTo(switches[i], traces, word, picture);
     if (!to || (nearest && *to > columns)) continue;
     tied = nearest && *to == columns;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "importer/lexicon/stroke_words.h"
-#include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
+#include "importer/strokes/pairings.h"
 
 namespace detent::importer {
 
@@ -19,108 +19,6 @@ using Indices = std::vector<std::size_t>;
 
 std::optional<Stroke> namedStroke(const CurveTrace& trace) {
   return trace.stroke ? trace.stroke : strokeNamedBy(trace.label);
-}
-
-/// Returns true for two strokes of one colour that the tracer separated.
-bool shareAColour(const CurveTrace& a, const CurveTrace& b) {
-  return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
-}
-
-/// Removes arrows and leaders that have colours of their own: curves without a name that fall monotonically,
-/// if the legend names a stroke among more than two curves.
-Indices withoutMarks(const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  const auto isNamed = [&](std::size_t i) { return namedStroke(traces[i]).has_value(); };
-  if (drawn.size() < 3 || std::ranges::none_of(drawn, isNamed)) return drawn;
-  Indices kept;
-  std::ranges::copy_if(drawn, std::back_inserter(kept), [&](std::size_t i) {
-    return traces[i].stroke || !traces[i].label.empty() || !onlyFalls(traces[i]);
-  });
-  return kept;
-}
-
-/// Returns true if two names that contain nothing but a stroke are equal: characters that differ in few lines
-/// were read alike.
-bool readAlike(const CurveTrace& a, const CurveTrace& b) {
-  return !a.stroke && !b.stroke && a.label == b.label && strokeNamedBy(a.label) &&
-         switchNamedBy(a.label).empty();
-}
-
-/// Two curves that close a loop, whatever their names are.
-std::optional<std::pair<std::size_t, std::size_t>> loopOf(std::vector<CurveTrace> traces,
-                                                          const Indices& two) {
-  for (CurveTrace& trace : traces) trace.label.clear();
-  const std::vector<Indices> loops = closedLoops(traces, two);
-  if (loops.size() != 1) return {};
-  return std::pair(loops.front().front(), loops.front().back());
-}
-
-/// Loops formed by curves that have only a program's default names.
-std::vector<Indices> loopsWithoutNames(std::vector<CurveTrace> traces, const Indices& drawn) {
-  const auto isNameless = [&](std::size_t i) { return isDefaultName(traces[i].label) && !traces[i].stroke; };
-  if (!std::ranges::all_of(drawn, isNameless)) return {};
-  for (CurveTrace& trace : traces) trace.label.clear();
-  return closedLoops(traces, drawn);
-}
-
-/// The press and the release that were named, by hand or by the legend, among curves without names (marks and
-/// leaders). If the legend calls one just "press", the other's name may be misread.
-std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
-                                                                const Indices& drawn) {
-  Indices named;
-  for (const std::size_t i : drawn)
-    if (namedStroke(traces[i]) || namesACurve(traces[i].label)) named.push_back(i);
-  if (named.size() != 2) return {};
-  const CurveTrace &a = traces[named[0]], &b = traces[named[1]];
-  if (namedStroke(a) == namedStroke(b)) return readAlike(a, b) ? loopOf(traces, named) : std::nullopt;
-  const CurveTrace& sure = namedStroke(a) ? a : b;
-  const bool bothNamed = namedStroke(a) && namedStroke(b);
-  if (!bothNamed && !sure.stroke && !switchNamedBy(sure.label).empty()) return {};
-  // another curve of this colour belongs to another switch
-  if (drawn.size() > 2 && shareAColour(a, b)) return {};
-  const bool byHand = a.stroke && b.stroke;
-  if (!byHand && !mayBeOnePair(a.label, b.label)) return {};
-  return std::pair(named[0], named[1]);
-}
-
-/// Returns true if this trace alone has a name that could not be read, and none of the other names is a
-/// stroke's.
-bool isUnreadName(std::size_t partner, const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  constexpr std::size_t fewest = 3;
-  if (drawn.size() < fewest || !traces[partner].label.empty() || traces[partner].labelBox_px.empty())
-    return false;
-  return std::ranges::all_of(drawn, [&](std::size_t i) {
-    return !namedStroke(traces[i]) && (i == partner || namesACurve(traces[i].label));
-  });
-}
-
-/// Each trace's partner; a press without a release is its own. Empty if a trace has several, or if a release
-/// has none.
-std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  std::vector<Indices> groups;
-  for (const std::size_t i : drawn) {
-    Indices partners, ofSameColour;
-    for (const std::size_t j : drawn) {
-      if (j == i) continue;
-      if (shareAColour(traces[i], traces[j])) ofSameColour.push_back(j);
-      if (namesOnePair(traces[i].label, traces[j].label)) partners.push_back(j);
-    }
-    // In a legend divided into groups, the strokes of every switch have the same names.
-    if (!ofSameColour.empty()) partners = ofSameColour;
-    const bool hasName = namesACurve(traces[i].label) || isUnreadName(i, traces, drawn);
-    const bool alone = partners.empty() && hasName && namedStroke(traces[i]) != Stroke::release;
-    if (partners.size() > 1 || (partners.empty() && !alone)) return {};
-    if (alone) groups.push_back({i});
-    if (!partners.empty() && i < partners.front()) groups.push_back({i, partners.front()});
-  }
-  return groups;
-}
-
-/// Returns true for two curves in different colours whose names may be words for strokes in an unlisted
-/// language and whose paths are those of strokes.
-bool areStrokesByPath(const std::vector<CurveTrace>& traces, const Indices& drawn) {
-  if (drawn.size() != 2) return false;
-  const CurveTrace &a = traces[drawn[0]], &b = traces[drawn[1]];
-  return a.color != b.color && mayNameAStroke(a.label) && mayNameAStroke(b.label) && closeInOnePoint(a, b);
 }
 
 double meanRow(const CurveTrace& trace) {
@@ -139,15 +37,20 @@ void putPressFirst(Indices& pair, const std::vector<CurveTrace>& traces) {
   if (exchanged) std::swap(pair[0], pair[1]);
 }
 
-PlotSwitch switchOf(Indices group, const std::vector<CurveTrace>& traces) {
+PlotSwitch switchOf(const Pairing& pairing, const std::vector<CurveTrace>& traces) {
+  Indices group{pairing.trace};
+  if (pairing.other) group.push_back(*pairing.other);
   putPressFirst(group, traces);
   const CurveTrace& press = traces[group[0]];
-  PlotSwitch found{press.label, press.color, {}, group};
+  PlotSwitch found{press.label, press.color, {}, group, confidenceOf(pairing)};
   if (namesBothStrokes(press.label)) found.name = switchNamedBy(press.label);
   if (group.size() < 2) return found;
-  found.releaseColor = traces[group[1]].color;
+  const CurveTrace& release = traces[group[1]];
+  found.releaseColor = release.color;
   found.name = switchNamedBy(press.label);
-  if (found.name.empty()) found.name = switchNamedBy(traces[group[1]].label);
+  if (found.name.empty()) found.name = switchNamedBy(release.label);
+  // words for strokes in an unlisted language
+  if (mayNameAStroke(press.label) && mayNameAStroke(release.label)) found.name.clear();
   return found;
 }
 
@@ -279,30 +182,10 @@ constexpr const char* kPlace = "plot frame";
 }  // namespace
 
 std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
-  Indices drawn;
-  for (std::size_t i = 0; i < traces.size(); ++i)
-    if (traces[i].points_px.size() >= 2) drawn.push_back(i);
-  if (drawn.empty()) return {};
-  drawn = withoutMarks(traces, drawn);
-  if (drawn.size() == 1) return {switchOf(drawn, traces)};
-  if (const auto pair = theNamedPair(traces, drawn)) return {switchOf({pair->first, pair->second}, traces)};
-  if (areStrokesByPath(traces, drawn)) {
-    PlotSwitch joined = switchOf(drawn, traces);
-    joined.name.clear();
-    return {joined};
-  }
-  const bool unnamed =
-      std::ranges::all_of(drawn, [&](std::size_t i) { return !traces[i].stroke && traces[i].label.empty(); });
-  const std::vector<Indices> apart = unnamed ? pressesApart(traces, drawn) : std::vector<Indices>();
-  if (apart.empty() && drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
-    return {switchOf(drawn, traces)};
-
-  std::vector<Indices> groups = loopsWithoutNames(traces, drawn);
-  if (groups.empty()) groups = partnered(traces, drawn);
-  if (groups.empty()) groups = closedLoops(traces, drawn);
-  if (groups.empty()) groups = apart;
   std::vector<PlotSwitch> switches;
-  for (Indices& group : groups) switches.push_back(switchOf(std::move(group), traces));
+  for (const Pairing& each : bestPairings(traces)) switches.push_back(switchOf(each, traces));
+  const auto isSure = [](const PlotSwitch& each) { return each.sure >= leastSure; };
+  if (switches.size() > 1 && !std::ranges::all_of(switches, isSure)) return {};
   const bool inLegend = std::none_of(switches.begin(), switches.end(), [&](const PlotSwitch& s) {
     return traces[s.traces.front()].labelBox_px.empty();
   });

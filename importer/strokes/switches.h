@@ -19,7 +19,8 @@ struct PlotSwitch {
   Rgb pressColor;                   ///< of the press, as determined by names and heights
   std::optional<Rgb> releaseColor;  ///< empty: press only
   std::vector<std::size_t>
-      traces;  ///< one or two of the traces it was found among, in the order of the colours
+      traces;       ///< one or two of the traces it was found among, in the order of the colours
+  double sure = 1;  ///< confidence in what belongs together, 0..1
 };
 
 /// Switches of a plot, numbered from 1 in the order of the legend (row by row from its top), without a legend

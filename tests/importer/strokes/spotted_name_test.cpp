@@ -85,6 +85,12 @@ TEST_CASE("a name that a curve runs through is not recognised") {
   CHECK(legend.spotted("红轴") == 0);
 }
 
+TEST_CASE("a name in a curve's colour is not recognised, because what stands beside it may be writing") {
+  Legend legend({"红轴", "青轴"});
+  legend.traces[0].color = {0, 0, 0};
+  CHECK_FALSE(legend.spotted("青轴"));
+}
+
 TEST_CASE("a name that the legend says once for each stroke of its switch is that switch's") {
   Legend legend({"红轴 下压", "红轴 回弹", "青轴"});
   legend.switches = {{{}, kColours[0], kColours[1], {0, 1}}, {{}, kColours[2], {}, {2}}};
