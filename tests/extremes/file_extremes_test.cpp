@@ -81,7 +81,7 @@ TEST_CASE("drawn forces at the bottom of the number range have an axis") {
   }
 }
 
-TEST_CASE("of thousands of tactile points a plot names the twelve most prominent, at once") {
+TEST_CASE("of thousands of tactile points a plot names at most the twelve most prominent, at once") {
   std::vector<CurvePoint> zigzag;
   for (int i = 0; i < 4000; ++i) zigzag.push_back({0.001 * i, 0.5 + (i % 2 ? 0.4 + 1e-5 * i : 0)});
   const auto button = Button::fromStates(
@@ -93,7 +93,8 @@ TEST_CASE("of thousands of tactile points a plot names the twelve most prominent
   for (std::size_t at = svg.find(">Tactile point<"); at != std::string::npos;
        at = svg.find(">Tactile point<", at + 1))
     ++callouts;
-  CHECK(callouts == 12);
+  CHECK(callouts > 4);  // as many as have room
+  CHECK(callouts <= 12);
 }
 
 TEST_CASE("any text is a button, a curve, or a failure that says where") {
