@@ -424,10 +424,10 @@ class Doubts {
     const double force_N = forceOf(findings_.strokes.value.press).high;
     const bool travelGiven = given.xMin && given.xMax;
     if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, Axis::x))
-      add(DoubtCode::implausibleTravel, unconfirmed, {{travel_mm, Measure::displacement_mm}},
+      add(DoubtCode::implausibleTravel, unconfirmed, {shownTravel(axes().x, travel_mm)},
           sizeRemedies(given.xUnit.has_value(), RemedyKind::giveXUnit, RemedyKind::giveXAxis));
     if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, Axis::y))
-      add(DoubtCode::implausibleForce, unconfirmed, {{force_N, Measure::force_N}},
+      add(DoubtCode::implausibleForce, unconfirmed, {shownForce(axes().y, force_N)},
           sizeRemedies(given.yUnit.has_value(), RemedyKind::giveYUnit, RemedyKind::giveYAxis));
   }
 
@@ -435,10 +435,10 @@ class Doubts {
     const Extent travel = travelOf(findings_.strokes.value.press),
                  force = forceOf(findings_.strokes.value.press);
     if (wrongSide(travel))
-      add(DoubtCode::negativeTravel, contradicted, {{travel.low, Measure::displacement_mm}},
+      add(DoubtCode::negativeTravel, contradicted, {shownTravel(axes().x, travel.low)},
           {{RemedyKind::giveXAxis, "if the axis was misread"}});
     if (pulls(force))
-      add(DoubtCode::negativeForce, contradicted, {{force.low, Measure::force_N}},
+      add(DoubtCode::negativeForce, contradicted, {shownForce(axes().y, force.low)},
           {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 
@@ -484,7 +484,7 @@ class Doubts {
 
   void sayAt(Point at_px, DoubtCode code, double share) {
     const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
-    add(code, share, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}},
+    add(code, share, {shownTravel(axes().x, at.x), shownForce(axes().y, at.y)},
         {{RemedyKind::addMask, "over what is not a curve"}, {RemedyKind::drawPress, {}}});
   }
 
@@ -784,7 +784,7 @@ class Doubts {
       const bool cutShort =
           broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture));
       add(DoubtCode::leavesThePlot, cutShort && hints_.frame.empty() ? unconfirmed : inPart,
-          {{forceAtRight(stroke), Measure::force_N}},
+          {shownForce(axes().y, forceAtRight(stroke))},
           {{RemedyKind::giveFrame, "with the whole curve in it"}});
     }
 
@@ -817,7 +817,7 @@ class Doubts {
       if (isOnBaseline(line[i - 1]) && isOnBaseline(line[i]))
         hidden_mm += axes.toUnits(line[i]).x - axes.toUnits(line[i - 1]).x;
     const bool longWayHidden = !hints_.axes.yMin && hidden_mm > mostHidden * travel_mm;
-    add(DoubtCode::belowTheAxis, longWayHidden ? unconfirmed : inPart, {{lowest.y, Measure::force_N}},
+    add(DoubtCode::belowTheAxis, longWayHidden ? unconfirmed : inPart, {shownForce(axes.y, lowest.y)},
         {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 

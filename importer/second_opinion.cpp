@@ -43,7 +43,8 @@ double travel_mm(const ImportReport& report) { return report.button.states().fro
 
 /// Short description that distinguishes one reading from another.
 Message inShort(const ImportReport& report) {
-  const MessageValue travel = millimetres(travel_mm(report)), force = newtons(highest_N(report));
+  const MessageValue travel = shownTravel(*report.x, travel_mm(report)),
+                     force = shownForce(*report.y, highest_N(report));
   if (!report.release) return Message("a travel of %1, forces up to %2 and no release", travel, force);
   return Message("a travel of %1 and forces up to %2", travel, force);
 }

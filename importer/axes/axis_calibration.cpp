@@ -16,6 +16,12 @@ Point unitsPerPx(const AxisCalibration& c) {
   return {std::hypot(right.x - mm, down.x - mm), std::hypot(right.y - newton, down.y - newton)};
 }
 
+/// A number with three significant digits, and its unit.
+MessageValue shownIn(const std::string& unit, double value) {
+  const double last = value == 0 ? 1 : std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
+  return Message::of("%1 %2", {std::round(value / last) * last, unit});
+}
+
 }  // namespace
 
 Point SheetBend::straightened(Point view_px) const {
@@ -42,6 +48,14 @@ Point AxisCalibration::toView(Point mm_N) const {
 }
 double AxisCalibration::mmPerPx() const { return unitsPerPx(*this).x; }
 double AxisCalibration::newtonPerPx() const { return unitsPerPx(*this).y; }
+
+MessageValue shownTravel(const AxisReading& x, double travel_mm) {
+  return shownIn(x.unit, travel_mm / millimetresPer(lengthUnitFrom(x.unit).value_or(LengthUnit::millimetre)));
+}
+
+MessageValue shownForce(const AxisReading& y, double force_N) {
+  return shownIn(y.unit, force_N / newtonsPer(forceUnitFrom(y.unit).value_or(ForceUnit::newton)));
+}
 
 bool areExchanged(const AxisCalibration& axes) {
   return forceUnitFrom(axes.x.otherQuantity) && lengthUnitFrom(axes.y.otherQuantity);

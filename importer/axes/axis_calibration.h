@@ -10,6 +10,7 @@
 #include "importer/frame/plot_frame.h"
 #include "importer/page/findings.h"
 #include "importer/page/progress.h"
+#include "model/message.h"
 #include "model/units.h"
 
 namespace detent::importer {
@@ -77,6 +78,10 @@ struct AxisCalibration {
   double mmPerPx() const;
   double newtonPerPx() const;
 };
+
+/// A travel or force for a sentence: in the unit of its axis, with three significant digits.
+MessageValue shownTravel(const AxisReading& x, double travel_mm);
+MessageValue shownForce(const AxisReading& y, double force_N);
 
 struct AxisHints {
   std::optional<double> xMin, xMax, yMin, yMax;  ///< values at the frame's edges, in xUnit/yUnit

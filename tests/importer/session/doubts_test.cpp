@@ -175,6 +175,20 @@ TEST_CASE("given ends that contradict printed numbers are reported unless those 
   CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLabels));
 }
 
+TEST_CASE("sizes in doubts are in the unit of the page, with three digits") {
+  Import import;
+  for (CurvePoint& p : import.press) p.force_N = -1.23456 * p.force_N;
+  AxisReading& axis = import.graph.axes.calibration.value.y;
+  const auto said = [&] {
+    for (const WeighedDoubt& each : doubtsOf(import.findings(), import.checks, import.hints))
+      if (each.doubt.code == DoubtCode::negativeForce) return english(messageOf(each.doubt));
+    return std::string();
+  };
+  CHECK(said() == "the press goes down to -1.98 N, below zero");
+  axis.unit = "gf";
+  CHECK(said() == "the press goes down to -201 gf, below zero");
+}
+
 TEST_CASE("axes that measure something else are the reason, whatever else is uncertain") {
   Import import;
   import.graph.axes.calibration.confidence = 0.1;

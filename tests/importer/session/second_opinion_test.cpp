@@ -24,6 +24,7 @@ ImportReport reportOf(double travel_mm, double highest_N, double confidence) {
   ImportReport report(Button::fromStates("plot", {{"", std::move(graph).value(), {}, {}, {}}}).value());
   report.x = AxisReading{}, report.y = AxisReading{};
   report.x->unit = "mm", report.y->unit = "N";
+  report.x->unit = "mm", report.y->unit = "N";
   report.release = StrokeReport{};
   report.strokes.release.emplace();
   for (int i = 0; i <= 100; ++i) {
