@@ -550,6 +550,9 @@ struct GivenScale {
   double value(double position_px) const {
     return std::lerp(ends.first, ends.last, (position_px - first_px) / (last_px - first_px));
   }
+  bool isUneven(const AxisLabels& labels) const {
+    return isUnevenBetween(labels, {first_px, ends.first}, {last_px, ends.last});
+  }
 };
 
 /// Marks the labels that agree with the given scale if their numbers are multiplied by `factor`; returns how
@@ -685,19 +688,25 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   cal.x.sure = xSure, cal.y.sure = ySure;
   found.calibration.confidence = xSure * ySure * sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
-  if (xGiven.any()) compareWithLabels(cal.x, {Axis::x, corners[3].x, corners[2].x, x}, r, xLabels);
-  if (yGiven.any()) compareWithLabels(cal.y, {Axis::y, corners[0].y, corners[3].y, y}, r, yLabels);
+  const GivenScale xScale{Axis::x, corners[3].x, corners[2].x, x},
+      yScale{Axis::y, corners[0].y, corners[3].y, y};
+  if (xGiven.any()) compareWithLabels(cal.x, xScale, r, xLabels);
+  if (yGiven.any()) compareWithLabels(cal.y, yScale, r, yLabels);
   found.calibration.evidence = {evidenceOf(Axis::x, xLabels, cal.x, xGiven.range()),
                                 evidenceOf(Axis::y, yLabels, cal.y, yGiven.range())};
   for (const Axis axis : {Axis::x, Axis::y}) {
     const bool isX = axis == Axis::x, given = (isX ? xGiven : yGiven).range();
+    const GivenScale& scaleOfEnds = isX ? xScale : yScale;
     const std::optional<AxisLabels>& labels = isX ? xLabels : yLabels;
     AxisReading& reading = isX ? cal.x : cal.y;
     // A given range does not make a nonlinear scale linear. Of such a scale some labels always fit a line.
     const bool labelsFit = !given && (isX ? xSure : ySure) >= confidenceBar;
-    const std::string scale = isLogarithmic(isX ? frame.xLines : frame.yLines) ? logarithmicScale
-                              : labels && !labelsFit                           ? unevenScaleIn(*labels, axis)
-                                                                               : std::string();
+    std::string scale = isLogarithmic(isX ? frame.xLines : frame.yLines) ? logarithmicScale
+                        : !labels                                        ? std::string()
+                        : labelsFit                                      ? unevenRowIn(*labels, axis)
+                                                                         : unevenScaleIn(*labels, axis);
+    if (scale.empty() && (isX ? xGiven : yGiven).any() && labels && scaleOfEnds.isUneven(*labels))
+      scale = brokenScale;
     if (!scale.empty()) {
       reading.otherQuantity = scale;
       found.calibration.confidence *= confidenceOfOther;

@@ -39,9 +39,22 @@ double stepOf(const std::vector<std::pair<double, double>>& labels) {
   return step;
 }
 
+// largest deviation from one line that may be due to places, as a share of the span
+constexpr double fits = 0.03;
+constexpr std::size_t fewestOfUneven = 5;  // labels: some three of any four nearly fit a line
+
+/// The labels in order of their places, without the zero in the corner that belongs to the other axis as well.
+std::vector<std::pair<double, double>> withoutCorner(std::vector<std::pair<double, double>> labels) {
+  constexpr std::size_t fewest = 4;
+  std::ranges::sort(labels);
+  if (labels.size() > fewest && labels.back().second == labels[labels.size() - 2].second) labels.pop_back();
+  if (labels.size() > fewest && labels.front().second == labels[1].second) labels.erase(labels.begin());
+  return labels;
+}
+
 /// Returns true if at most one label is off the line of the others: misread, or beside its tick as the zero
 /// in a corner is.
-bool fitsButForOne(const std::vector<std::pair<double, double>>& labels, double fits) {
+bool fitsButForOne(const std::vector<std::pair<double, double>>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     auto others = labels;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -50,14 +63,12 @@ bool fitsButForOne(const std::vector<std::pair<double, double>>& labels, double 
   return false;
 }
 
-/// Returns true if the labels are two even scales of one step, one behind the other. `fits`: deviation from one
-/// line, as a share of the span, that may be due to places.
-bool isBroken(const std::vector<std::pair<double, double>>& labels, double fits) {
-  constexpr std::size_t fewest = 5;  // labels: two runs through any four
+/// Returns true if the labels are two even scales of one step, one behind the other.
+bool isBroken(const std::vector<std::pair<double, double>>& labels) {
   constexpr double nearStep = 0.01;  // share of the step
   constexpr double straighter =
       0.25;  // deviation of each run, of the whole; halves of an arc have half of it
-  if (labels.size() < fewest || fitsButForOne(labels, fits)) return false;
+  if (labels.size() < fewestOfUneven || fitsButForOne(labels)) return false;
   const double whole = offLine(labels), step = stepOf(labels);
   for (std::size_t i = 1; i < labels.size(); ++i) {
     const double steps = (labels[i].second - labels[i - 1].second) / step;
@@ -77,19 +88,16 @@ bool isBroken(const std::vector<std::pair<double, double>>& labels, double fits)
 
 std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   constexpr std::size_t fewest = 4;  // labels
-  constexpr double isLinear = 0.06, fits = 0.03,
-                   leastRatio = 5;  // shares of the span; ratio of the largest to the smallest value
-  std::ranges::sort(labels);
-  // The zero in the corner belongs to the other axis as well.
-  if (labels.size() > fewest && labels.back().second == labels[labels.size() - 2].second) labels.pop_back();
-  if (labels.size() > fewest && labels.front().second == labels[1].second) labels.erase(labels.begin());
+  constexpr double isLinear = 0.06,
+                   leastRatio = 5;  // of the span; ratio of the largest to the smallest value
+  labels = withoutCorner(std::move(labels));
   if (labels.size() < fewest || labels.front().first == labels.back().first) return {};
   if (!isInOrder(labels)) {  // a value was misread, perhaps with the signs of a break
     const std::pair<double, double> ends = std::minmax(labels.front().second, labels.back().second);
     std::erase_if(labels, [ends](const auto& label) {
       return label.second < ends.first || label.second > ends.second;
     });
-    return isInOrder(labels) && isBroken(labels, fits) ? brokenScale : "";
+    return isInOrder(labels) && isBroken(labels) ? brokenScale : "";
   }
   const auto [low, high] = std::minmax(labels.front().second, labels.back().second);
   const bool uneven = offLine(labels) > isLinear;
@@ -101,7 +109,7 @@ std::string unevenScaleOf(std::vector<std::pair<double, double>> labels) {
   std::vector<std::pair<double, double>> steps;
   for (const auto& [at, value] : labels) steps.emplace_back(static_cast<double>(steps.size()), at);
   if (uneven && offLine(steps) <= fits) return categoriesScale;
-  return isBroken(labels, fits) ? brokenScale : "";
+  return isBroken(labels) ? brokenScale : "";
 }
 
 bool isLogarithmic(const std::vector<GridLine>& lines) {
@@ -131,6 +139,51 @@ bool isLogarithmic(const std::vector<GridLine>& lines) {
   return false;
 }
 
+std::string unevenRowIn(const AxisLabels& labels, Axis axis) {
+  constexpr int mostDoubtful = 1, fewestAside = 2;  // labels; one label aside is a misprint or was misread
+  std::vector<std::pair<double, double>> row;
+  int doubtful = 0, aside = 0;
+  for (std::size_t i = 0; i < labels.words.size(); ++i) {
+    if (labels.readings[i].empty()) continue;
+    const int used = labels.progression ? labels.progression->reading[i] : -1;
+    const Point middle = labels.words[i].box.middle();
+    row.emplace_back(axis == Axis::x ? middle.x : middle.y,
+                     labels.readings[i][static_cast<std::size_t>(std::max(0, used))].value);
+    doubtful += labels.words[i].confidence < readWithCertainty, aside += used < 0;
+  }
+  row = withoutCorner(std::move(row));
+  if (row.size() < fewestOfUneven || doubtful > mostDoubtful || aside < fewestAside) return {};
+  return unevenScaleOf(row) == categoriesScale && !fitsButForOne(row) ? categoriesScale : "";
+}
+
+bool isUnevenBetween(const AxisLabels& labels, const std::pair<double, double>& first,
+                     const std::pair<double, double>& last) {
+  constexpr double atEnd = 0.02, sameValue = 0.005;  // shares of the axis' length, and of its span
+  constexpr double mostRatio = 2;  // of two steps: digits that were lost or misread change it by more
+  constexpr int fewest = 3;        // labels of the scale that the ends contradict
+  if (!labels.progression) return false;
+  const Progression& p = *labels.progression;
+  const double length_px = std::abs(last.first - first.first), span = std::abs(last.second - first.second);
+  const auto isPrintedAt = [&](std::size_t i, const std::pair<double, double>& end) {
+    return std::abs(p.tickOf[i] - end.first) <= atEnd * length_px &&
+           std::ranges::any_of(labels.readings[i], [&](const NumberReading& reading) {
+             return std::abs(reading.value - end.second) <= sameValue * span;
+           });
+  };
+  bool atFirst = false, atLast = false;
+  int sure = 0;
+  for (std::size_t i = 0; i < labels.words.size(); ++i) {
+    const bool isFirst = isPrintedAt(i, first), isLast = isPrintedAt(i, last);
+    atFirst = atFirst || isFirst, atLast = atLast || isLast;
+    sure += p.reading[i] >= 0 && (isFirst || isLast || labels.words[i].confidence >= readWithCertainty);
+  }
+  const double ratio = std::abs(p.perPx) * length_px / span;
+  const double off =
+      std::max(std::abs(p.value(first.first) - first.second), std::abs(p.value(last.first) - last.second));
+  return atFirst && atLast && sure >= fewest && off > fits * span && ratio < mostRatio &&
+         mostRatio * ratio > 1;
+}
+
 std::string unevenScaleIn(const AxisLabels& labels, Axis axis) {
   std::vector<std::pair<double, double>> certain, all;
   for (std::size_t i = 0; i < labels.words.size(); ++i) {
@@ -142,7 +195,7 @@ std::string unevenScaleIn(const AxisLabels& labels, Axis axis) {
   std::string scale = unevenScaleOf(std::move(certain));
   if (!scale.empty()) return scale;
   // Two runs of one step confirm the labels that were read with doubt.
-  return unevenScaleOf(std::move(all)) == brokenScale ? brokenScale : "";
+  return unevenScaleOf(std::move(all)) == brokenScale ? brokenScale : unevenRowIn(labels, axis);
 }
 
 }  // namespace detent::importer

@@ -420,6 +420,78 @@ TEST_CASE("a break is two even runs of numbers, one behind the other") {
         "values on a logarithmic scale");
 }
 
+TEST_CASE("numbers that count unevenly at even places are no scale, unless a misread one explains them") {
+  struct Row {
+    const char* what;
+    std::vector<double> values, confidences;
+    std::vector<int> readings;  // of the progression; -1: aside
+    bool uneven;
+  };
+  for (const Row& row :
+       {Row{"five of six in order",
+            {80, 60, 40, 20, 10, 0},
+            {.95, .91, .96, .96, .96, .89},
+            {0, 0, 0, 0, -1, -1},
+            true},
+        {"two read with doubt",
+         {80, 60, 40, 20, 10, 0},
+         {.95, .91, .96, .8, .96, .89},
+         {0, 0, 0, 0, -1, -1},
+         false},
+        {"one misread", {80, 64, 48, 32, 10, 0}, {.95, .95, .95, .95, .95, .95}, {0, 0, 0, 0, -1, 0}, false},
+        {"one aside, and the corner's zero",
+         {80, 64, 48, 32, 10, 0, 0},
+         {.95, .95, .95, .95, .95, .95, .95},
+         {0, 0, 0, 0, -1, 0, -1},
+         false},
+        {"not in order",
+         {80, 60, 40, 20, 50, 0},
+         {.95, .95, .95, .95, .95, .95},
+         {0, 0, 0, 0, -1, -1},
+         false}}) {
+    INFO(row.what);
+    AxisLabels read;
+    read.progression.emplace();
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+      const double y = 88.5 + 114.8 * static_cast<double>(i);
+      read.words.push_back({"", {60, y - 5, 80, y + 5}, row.confidences[i]});
+      read.readings.push_back({{row.values[i], 1}});
+    }
+    read.progression->reading = row.readings;
+    CHECK(unevenRowIn(read, Axis::y) == (row.uneven ? categoriesScale : ""));
+  }
+}
+
+TEST_CASE("ends that printed numbers confirm contradict an even scale between them") {
+  struct Row {
+    const char* what;
+    std::vector<double> values;
+    std::vector<int> readings;
+    double top;
+    bool uneven;
+  };
+  // the axis of a break: 0, 20 and 40 are even and put 90.95 at the top
+  for (const Row& row :
+       {Row{"the top's number confirms it", {100, 807, 607, 40, 20, 0}, {-1, -1, -1, 0, 0, 0}, 100, true},
+        {"no number confirms the top", {60, 807, 607, 40, 20, 0}, {-1, -1, -1, 0, 0, 0}, 100, false},
+        {"digits lost", {100, 8, 6, 4, 2, 0}, {-1, -1, -1, 0, 0, 0}, 100, false},
+        {"the top is right", {90.95, 807, 607, 40, 20, 0}, {-1, -1, -1, 0, 0, 0}, 90.95, false},
+        {"two numbers alone", {100, 807, 607, 47, 20, 0}, {-1, -1, -1, -1, 0, 0}, 100, false}}) {
+    INFO(row.what);
+    AxisLabels read;
+    Progression& p = read.progression.emplace();
+    p.reading = row.readings;
+    p.tickOf = {49.53, 182.42, 206.42, 312.8, 416.2, 519.5};
+    p.perPx = (row.values[4] - row.values[5]) / (416.2 - 519.5);
+    p.offset = -519.5 * p.perPx;
+    for (std::size_t i = 0; i < row.values.size(); ++i) {
+      read.words.push_back({"", {60, p.tickOf[i] - 5, 80, p.tickOf[i] + 5}, i == 5 ? 0.89 : 0.96});
+      read.readings.push_back({{row.values[i], 1}});
+    }
+    CHECK(isUnevenBetween(read, {49.53, row.top}, {519.5, 0}) == row.uneven);
+  }
+}
+
 TEST_CASE("a break is seen with labels that were read with doubt, other scales without them") {
   const auto scaleOf = [](const std::vector<std::pair<double, double>>& labels,
                           const std::vector<double>& confidences) {
