@@ -392,6 +392,8 @@ class Doubts {
     for (Doubt& other : otherQuantitiesOf(axes)) doubts_.push_back({std::move(other), contradicted});
     if (!hints_.axes.xUnit) unit(axes.x, Axis::x);
     if (!hints_.axes.yUnit) unit(axes.y, Axis::y);
+    factor(axes.x, Axis::x);
+    factor(axes.y, Axis::y);
     // A given unit does not resolve whether "," is a decimal or a thousands separator.
     if (axes.x.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"x"}, RemedyKind::giveXAxis);
     if (axes.y.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"y"}, RemedyKind::giveYAxis);
@@ -403,6 +405,21 @@ class Doubts {
     const bool isX = which == Axis::x;
     add(DoubtCode::unitMissing, unconfirmed, {isX ? "x" : "y", axis.unit},
         isX ? RemedyKind::giveXUnit : RemedyKind::giveYUnit);
+  }
+
+  /// Doubts the factor that an axis' title prints: titles mean by it that the numbers are to be multiplied, or
+  /// that they have been. Without a unit or ends from the user the import does not rest on it.
+  void factor(const AxisReading& axis, Axis which) {
+    if (axis.factor == 1 || confirmedBySpec(checks_, which)) return;
+    const AxisHints& given = hints_.axes;
+    const bool isX = which == Axis::x, ends = isX ? given.xMin || given.xMax : given.yMin || given.yMax;
+    const bool unit = isX ? given.xUnit.has_value() : given.yUnit.has_value();
+    add(DoubtCode::factorPrinted, ends || unit ? inPart : unconfirmed,
+        {isX ? "x" : "y", axis.factor,
+         ends ? Message("the given values were not multiplied by it")
+              : Message("the numbers along the axis were multiplied by it")},
+        {{isX ? RemedyKind::giveXUnit : RemedyKind::giveYUnit, "if that is right"},
+         {isX ? RemedyKind::giveXAxis : RemedyKind::giveYAxis, "if it is wrong"}});
   }
 
   const AxisCalibration& axes() const { return findings_.graph.axes.calibration.value; }

@@ -91,7 +91,7 @@ void searchFartherForUnits(LocatedGraph& graph, const Document& document, const 
   const auto widened = viewOf(document, page, region.common(whole), candidate, options.view, progress);
   if (!widened) return;
   const Homography toWide = widened->viewToPage.inverse().after(graph.view.viewToPage);
-  readMissingUnits(graph.axes, *widened, frameInView(graph.frame.value, toWide), toWide);
+  readMissingUnits(graph.axes, *widened, frameInView(graph.frame.value, toWide), toWide, options.axes);
 }
 
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,

@@ -44,6 +44,9 @@ struct AxisReading {
   bool thousandsUnclear = false;
   std::vector<TickLabel> ticks;
   std::string title;  ///< as read
+  /// printed in the title; the numbers are multiplied by it unless ends were given; 1: none, or given ends
+  /// have it in them
+  double factor = 1;
   /// labels that agree with one another and contradict the ends that were given, as text
   std::vector<std::string> contradicting;
   /// confidence in the scale of the labels, if `contradicting` is not empty, 0..1
@@ -132,7 +135,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
 /// view's pixels; `toWide` maps the pixels in which `axes` were read to that view. A unit that is found
 /// replaces the assumed one, and the scale is converted with it.
 void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFrame& frame,
-                      const Homography& toWide);
+                      const Homography& toWide, const AxisHints& hints = {});
 
 /// Adds the other writing in and beside the frame to `axes.texts`: callouts, legend, titles over the plot.
 /// Only lines of at least three letters that were read with some certainty are added, because their boxes are

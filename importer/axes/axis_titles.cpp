@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/axes/text_source.h"
+#include "importer/lexicon/printed_factor.h"
 
 namespace detent::importer {
 namespace {
@@ -17,12 +18,13 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
   constexpr double sureLetter = 0.85;  // below this confidence a single letter may be part of another mark
   for (const auto& line : lines) {
     if (line.utf8.size() < 2 && line.confidence < sureLetter) continue;
-    const auto unit = parse(line.utf8, sourceOf(line));
-    if (unit && (!best.unit || unit->sure > best.unit->sure)) {
-      best.unit = unit;
-      best.text = line.utf8;
-    }
-    if (best.text.empty()) best.text = line.utf8;
+    const auto factor = printedFactorIn(line.utf8);
+    const auto unit = parse(factor ? factor->title : line.utf8, sourceOf(line));
+    const bool isBetter = unit && (!best.unit || unit->sure > best.unit->sure);
+    if (isBetter) best.unit = unit;
+    if (!isBetter && !best.text.empty()) continue;
+    best.text = line.utf8;
+    best.factor = factor ? factor->factor : 1;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "importer/axes/unit_token.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
+#include "importer/lexicon/printed_factor.h"
 #include "importer/lexicon/printed_unit.h"
 
 namespace detent::importer {
@@ -86,7 +87,8 @@ bool mayHideUnit(const Box& line, const std::string& text) {
 std::optional<std::string> unreadUnit(const cv::Mat& darkness, const Box& place, double height_px,
                                       int quarterTurns, const std::string& text) {
   constexpr double largest_px = 16;  // the engine reads larger print correctly
-  if (height_px > largest_px || forceUnitIn(text) || text.find_first_of("()[]") == std::string::npos)
+  if (height_px > largest_px || forceUnitIn(text) || printedFactorIn(text) ||
+      text.find_first_of("()[]") == std::string::npos)
     return {};
   return bracketedUnit(darkness, place, quarterTurns);
 }

@@ -327,6 +327,7 @@ LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
   const Box edge{r.box.x0, r.box.y1, r.box.x1, r.box.y1 + 1};
   const auto title = readXTitle(r, labels && !labels->words.empty() ? labels->extent : edge);
   x.title = title.text;
+  x.factor = title.factor;
   x.otherQuantity = title.other;
   if (hints.xUnit) {
     x.unitBy = DecidedBy::given;
@@ -355,6 +356,7 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   r.setAside(read);
   const auto title = readYTitle(r, read.empty() ? edge : joinedBox(read));
   y.title = title.text;
+  y.factor = title.factor;
   y.otherQuantity = title.other;
   if (hints.yUnit) {
     y.unitBy = DecidedBy::given;
@@ -448,12 +450,6 @@ void takeUnit(AxesFound& axes, ForceUnit unit) {
   forget(axes.remarks, {RemarkCode::smallForcesTakenAsNewton, RemarkCode::largeForcesTakenAsGram});
 }
 
-template <class Unit>
-void takeTitle(AxisReading& axis, const AxisTitle<Unit>& title) {
-  axis.title = title.text;
-  axis.otherQuantity.clear();
-}
-
 /// Returns true if the axis' own title or numbers contain its unit, even an unreadable one; a heading's unit
 /// does not apply then. `heading`: it may itself have been taken for the title.
 bool saysItsUnit(const AxisReading& axis, const std::string& heading) {
@@ -500,8 +496,25 @@ constexpr AxisReach travels_mm{leastTravel_mm, axisBeyondCurve*mostTravel_mm},
 
 /// Multiplies the values of the tick labels.
 void multiply(AxisReading& axis, double factor) {
-  axis.min *= factor, axis.max *= factor;
-  for (TickLabel& tick : axis.ticks) tick.value *= factor;
+  const auto times = [factor](double value) { return value * factor + 0.0; };  // no negative zero
+  axis.min = times(axis.min), axis.max = times(axis.max);
+  for (TickLabel& tick : axis.ticks) tick.value = times(tick.value);
+}
+
+/// Multiplies the tick labels of an axis by a factor, and the scale with them.
+void multiply(AxisCalibration& cal, Axis axis, double factor) {
+  multiply(axis == Axis::x ? cal.x : cal.y, factor);
+  scaleRow(cal.viewToUnits, axis == Axis::x ? 0 : 1, factor);
+}
+
+/// Takes the title of an axis that was found later, with the factor that it prints unless ends were given.
+template <class Unit>
+void takeTitle(AxisCalibration& cal, Axis axis, const AxisTitle<Unit>& title, const AxisGiven& given) {
+  AxisReading& reading = axis == Axis::x ? cal.x : cal.y;
+  reading.title = title.text;
+  reading.factor = title.factor;
+  reading.otherQuantity.clear();
+  if (!given.any()) multiply(cal, axis, title.factor);
 }
 
 /// Box of an axis' labels; without labels its edge of the frame.
@@ -509,17 +522,18 @@ Box extentOf(const std::optional<AxisLabels>& labels, const Box& edge) {
   return labels && !labels->words.empty() ? labels->extent : edge;
 }
 
-/// Applies the powers of ten at the ends of the axes whose ranges were not given.
+/// Applies the powers of ten at the ends of the axes and in their titles where no ends were given. One that
+/// stands at the end as well is the same one, and settled.
 void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional<AxisLabels>& x,
                       const std::optional<AxisLabels>& y, const AxisHints& hints) {
   const Box& b = r.box;
-  const auto apply = [&](AxisReading& reading, Axis axis, std::size_t row, const Box& labels) {
-    const double factor = multiplierAtEnd(r, axis, labels);
-    multiply(reading, factor);
-    scaleRow(cal.viewToUnits, row, factor);
+  const auto apply = [&](AxisReading& reading, Axis axis, const Box& labels) {
+    const double atEnd = multiplierAtEnd(r, axis, labels);
+    if (atEnd != 1) reading.factor = 1;
+    multiply(cal, axis, atEnd * reading.factor);
   };
-  if (!hints.xMin && !hints.xMax) apply(cal.x, Axis::x, 0, extentOf(x, {b.x0, b.y1, b.x1, b.y1 + 1}));
-  if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, 1, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
+  if (!hints.xMin && !hints.xMax) apply(cal.x, Axis::x, extentOf(x, {b.x0, b.y1, b.x1, b.y1 + 1}));
+  if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
 }
 
 /// Factor for the tick labels where "1,000" may mean a thousand or three decimals: 1 or 1000 if only one of
@@ -596,8 +610,10 @@ void compareWithLabels(AxisReading& reading, const GivenScale& given, GraphReadi
   };
   trial(printedPerGiven(reading, *labels, given.axis));
   if (labels->thousands == ThousandsSign::possible) trial(1000);
+  trial(reading.factor);
   if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
   markAgreeing(reading, given, p, factor);
+  if (factor == reading.factor) reading.factor = 1;
   if (most == all) return;
   for (const TickLabel& tick : reading.ticks)
     if (tick.used && !tick.agrees) reading.contradicting.push_back(shownNumber(tick.value));
@@ -609,7 +625,7 @@ void compareWithLabels(AxisReading& reading, const GivenScale& given, GraphReadi
 }  // namespace
 
 void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFrame& frame,
-                      const Homography& toWide) {
+                      const Homography& toWide, const AxisHints& hints) {
   AxisCalibration& cal = axes.calibration.value;
   const double before = sureOfUnits(cal, axes.texts);
   GraphReading r(widerView, frame);
@@ -618,12 +634,12 @@ void readMissingUnits(AxesFound& axes, const PageView& widerView, const PlotFram
   if (!cal.x.unitFound)
     if (const auto title = readXTitle(r, xLabels); title.unit) {
       takeUnit(axes, title.unit->unit);
-      takeTitle(cal.x, title);
+      takeTitle(cal, Axis::x, title, {hints.xMin, hints.xMax});
     }
   if (!cal.y.unitFound)
     if (const auto title = readYTitle(r, yLabels); title.unit) {
       takeUnit(axes, title.unit->unit);
-      takeTitle(cal.y, title);
+      takeTitle(cal, Axis::y, title, {hints.yMin, hints.yMax});
     }
   axes.calibration.confidence *= sureOfUnits(cal, axes.texts) / before;
   takeHeadingUnits(axes, r);

@@ -125,6 +125,7 @@ constexpr Wording<DoubtCode> doubtWords[] = {
      words("you gave the colour %1 here, but the legend calls the curve of that colour \"%2\"")},
     {DoubtCode::givenAgainstLabels, "given-against-labels",
      words("the values entered for the %1 axis contradict the numbers printed there (%2)")},
+    {DoubtCode::factorPrinted, "factor-printed", words("the title of the %1 axis prints the factor %2; %3")},
     {DoubtCode::rangeFalls, "range-falls",
      words("the %1 numbers along this axis decrease, and the plot could not be mirrored")},
     {DoubtCode::assumed, "assumed", words("%1")}};

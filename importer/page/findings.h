@@ -93,6 +93,7 @@ enum class DoubtCode {
   pageIsPhoto,
   givenAgainstLegend,  ///< given colour of a stroke, and the legend's text for the curve of that colour
   givenAgainstLabels,  ///< axis, the labels that contradict the ends given for it
+  factorPrinted,       ///< axis, factor in its title, message: numbers multiplied, or given ends not
   rangeFalls,          ///< numbers that fall along the axis, on a plot that cannot be mirrored
   assumed              ///< message of the evidence
 };

@@ -11,6 +11,7 @@
 #include "importer/axes/printed_number.h"
 #include "importer/axes/uneven_scale.h"
 #include "importer/lexicon/lexicon.h"
+#include "importer/lexicon/printed_factor.h"
 #include "importer/lexicon/printed_unit.h"
 
 using namespace detent;
@@ -334,6 +335,38 @@ TEST_CASE("a power of ten at the end of an axis") {
   for (const char* text : {"", "103", "10", "1e", "2e3", "Force", "1.5", "1e12", "let", "10 N"}) {
     CAPTURE(text);
     CHECK_FALSE(multiplierIn(text));
+  }
+}
+
+TEST_CASE("a factor that a title prints beside its unit") {
+  struct Title {
+    const char *text, *without;
+    double factor;
+  };
+  for (const Title& title : {Title{"Load [x10 gf]", "Load [ gf]", 10},
+                             {"Load [x10gf]", "Load [gf]", 10},
+                             {"Force ×10³ (N)", "Force  (N)", 1000},
+                             {"Force x103 [N]", "Force  [N]", 1000},
+                             {"Force x 10^3 [N]", "Force  [N]", 1000},
+                             {"(kgf x 10)", "(kgf )", 10},
+                             {"Kraft in 0.1 N", "Kraft in  N", 0.1},
+                             {"F / 10 mN", "F / mN", 10},
+                             {"Force [10^-3 N]", "Force [ N]", 0.001},
+                             {"Force [10−3 N]", "Force [ N]", 0.001},
+                             {"Kraft ·100 [N]", "Kraft  [N]", 100},
+                             {"Travel [1/100 mm]", "Travel [ mm]", 0.01},
+                             {"Force*10^{-3} [N]", "Force [N]", 0.001}}) {
+    INFO(title.text);
+    const auto found = printedFactorIn(title.text);
+    REQUIRE(found);
+    CHECK(found->factor == Approx(title.factor));
+    CHECK(found->title == title.without);
+  }
+  for (const char* text :
+       {"Force (gf)", "Force (60 gf)", "Force at speed (10 mm/min) [N]", "Max 100 gf", "x-axis 10",
+        "MX10 (gf)", "3x10 keys", "Force in 10 keys", "x1 [N]", "×10³", "10", ""}) {
+    INFO(text);
+    CHECK_FALSE(printedFactorIn(text));
   }
 }
 

@@ -714,6 +714,40 @@ TEST_CASE("printed numbers speak for given ends or against them") {
   }
 }
 
+TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") {
+  struct Row {
+    const char *what, *force;
+    std::optional<ForceUnit> unit;
+    std::optional<double> top;
+    double max, factor;
+  };
+  PlotStyle s;  // the numbers end at 120
+  for (const Row& row : {Row{"read", "Load [x10 gf]", {}, {}, 1200, 10},
+                         {"the unit given", "Load [x10 gf]", ForceUnit::gramForce, {}, 1200, 10},
+                         {"in front of the unit", "Kraft in 0.1 N", ForceUnit::newton, {}, 12, 0.1},
+                         {"the top as printed", "Load [x10 gf]", ForceUnit::gramForce, 120, 120, 10},
+                         {"the top multiplied", "Load [x10 gf]", ForceUnit::gramForce, 1200, 1200, 1},
+                         {"none", "Load [gf]", ForceUnit::gramForce, {}, 120, 1}}) {
+    INFO(row.what);
+    auto looked = readWithoutCurves(s);
+    writeBelow(looked.view, s);
+    writeLeft(looked.view, s);
+    looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
+    looked.view.texts.push_back({row.force, {20, 220, 38, 320}, 90});
+    AxisHints hints;
+    hints.yUnit = row.unit, hints.yMax = row.top;
+    if (row.top) hints.yMin = 0;
+    const auto axes = readAxes(looked.view, looked.frame, hints);
+    REQUIRE(axes);
+    const AxisCalibration& c = axes->calibration.value;
+    CHECK(c.y.otherQuantity.empty());
+    CHECK(c.y.max == Approx(row.max));
+    CHECK(c.y.factor == Approx(row.factor));
+    CHECK(c.toUnits({s.left, s.top}).y ==
+          Approx(row.max * newtonsPer(*forceUnitFrom(c.y.unit))).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("an uneven scale is named as the reason even where some of its labels fit a line") {
   struct Scale {
     const char* says;

@@ -175,6 +175,21 @@ TEST_CASE("given ends that contradict printed numbers are reported unless those 
   CHECK_FALSE(import.weighed(DoubtCode::givenAgainstLabels));
 }
 
+TEST_CASE("a factor in a title stays in doubt, though reported alone with a given unit") {
+  Import import;
+  AxisReading& axis = import.graph.axes.calibration.value.y;
+  CHECK_FALSE(import.weighed(DoubtCode::factorPrinted));
+  axis.factor = 10;
+  CHECK(import.weighed(DoubtCode::factorPrinted).value_or(1) < confidenceBar);
+  import.hints.axes.yUnit = ForceUnit::gramForce;
+  const double confidence = import.weighed(DoubtCode::factorPrinted).value_or(1);
+  CHECK((confidence >= confidenceBar && confidence < 0.9));
+  import.hints.axes.yMax = 10;
+  const auto doubts = doubtsOf(import.findings(), import.checks, import.hints);
+  CHECK(english(messageOf(doubts.front().doubt)) ==
+        "the title of the y axis prints the factor 10; the given values were not multiplied by it");
+}
+
 TEST_CASE("sizes in doubts are in the unit of the page, with three digits") {
   Import import;
   for (CurvePoint& p : import.press) p.force_N = -1.23456 * p.force_N;
