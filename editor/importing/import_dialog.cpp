@@ -499,8 +499,8 @@ void ImportDialog::Impl::showAdvice() {
       if (const Failure* why = otherPlotOn(page))
         return say(AdviceBar::Tone::note,
                    {adviceFor(*why, state.documentName(), settings.units()).problem,
-                    tr("No button can be imported from this graph. If the page shows another graph, draw its "
-                       "plot frame. If this graph was misread, click its dashed rectangle."),
+                    tr("As it was read, this graph gives no button. If it was misread, click its dashed "
+                       "rectangle. If the page shows another graph, draw its plot frame."),
                     {RemedyKind::giveFrame}});
       // No advice on pages that are still being searched.
       const bool pageAlone = !state.graphs().empty() || state.searchedPages() < state.pageCount();

@@ -6242,8 +6242,8 @@ Lizenz: %3</translation>
         <translation>Die Seite wird nach Graphen durchsucht …</translation>
     </message>
     <message>
-        <source>No button can be imported from this graph. If the page shows another graph, draw its plot frame. If this graph was misread, click its dashed rectangle.</source>
-        <translation>Aus diesem Graphen kann kein Taster importiert werden. Zeigt die Seite einen anderen Graphen, zeichnen Sie dessen Rahmen. Wurde dieser falsch gelesen, klicken Sie auf sein gestricheltes Rechteck.</translation>
+        <source>As it was read, this graph gives no button. If it was misread, click its dashed rectangle. If the page shows another graph, draw its plot frame.</source>
+        <translation>So, wie er gelesen wurde, ergibt dieser Graph keinen Taster. Wurde er falsch gelesen, klicken Sie auf sein gestricheltes Rechteck. Zeigt die Seite einen anderen Graphen, zeichnen Sie dessen Rahmen.</translation>
     </message>
     <message>
         <source>The horizontal axis measures no displacement.</source>
