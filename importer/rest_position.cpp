@@ -3,10 +3,16 @@
 
 #include <algorithm>
 
+#include "importer/page/findings.h"
+
 namespace detent::importer {
 
 Result<StrokeCurve> startingAtRest(const StrokeCurve& curve) {
   if (curve.start_mm() >= 0) return curve;
+  if (curve.end_mm() <= 0)
+    return failureOf({DoubtCode::negativeTravel,
+                      {millimetres(curve.start_mm())},
+                      {{RemedyKind::giveXAxis, "if the axis was misread"}}});
   const std::vector<Knot>& before = curve.knots();
   std::vector<Knot> knots = before;
   std::size_t atRest = 0;  // number of knots that are moved to 0 mm

@@ -10623,6 +10623,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>peak force</source>
         <translation>Spitzenkraft</translation>
     </message>
+    <message>
+        <source>the numbers of the %1 axis are negative; they were read without their minus signs</source>
+        <translation>die Zahlen der %1-Achse sind negativ; sie wurden ohne ihr Minuszeichen gelesen</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>

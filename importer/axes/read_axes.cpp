@@ -550,6 +550,13 @@ double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach
   return 1000;
 }
 
+/// Returns true if an axis counts on below zero, but for a margin: its numbers are sizes with a minus sign.
+bool countsBelowZero(const AxisReading& axis) {
+  constexpr double margin = 0.1;  // share of the axis below zero
+  const auto [low, high] = std::minmax(axis.min, axis.max);
+  return low < 0 && high <= -margin * low;
+}
+
 /// Returns true if both ends have the same value, up to rounding: a given end beside a found one.
 bool isEmptyRange(const EndValues& ends) {
   constexpr double rounding = 1e-3;  // share of the larger end
@@ -611,6 +618,7 @@ void compareWithLabels(AxisReading& reading, const GivenScale& given, GraphReadi
   trial(printedPerGiven(reading, *labels, given.axis));
   if (labels->thousands == ThousandsSign::possible) trial(1000);
   trial(reading.factor);
+  trial(-1);  // sizes, beside numbers with a minus sign
   if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
   markAgreeing(reading, given, p, factor);
   if (factor == reading.factor) reading.factor = 1;
@@ -731,6 +739,11 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
     if (hasProgression(labels) && !labels->progression->fromTicks)
       found.remarks.push_back({RemarkCode::axisWithoutTicks, {nameOf(axis)}});
     remarkContradictions(labels, axis, found.remarks);
+  }
+  for (const Axis axis : {Axis::x, Axis::y}) {
+    if (!countsBelowZero(axis == Axis::x ? cal.x : cal.y)) continue;
+    multiply(cal, axis, -1);
+    found.remarks.push_back({RemarkCode::signsLeftOut, {nameOf(axis)}});
   }
   takeHeadingUnits(found, r);
   return found;

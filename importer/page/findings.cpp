@@ -145,6 +145,8 @@ constexpr Wording<RemarkCode> remarkWords[] = {
          "the tick label \"%1\" on the %2 axis was ignored, because by the other labels its place means %3")},
     {RemarkCode::axisWithoutTicks, "axis-without-ticks",
      words("the %1 axis has no ticks: its scale was taken from the positions of its numbers")},
+    {RemarkCode::signsLeftOut, "signs-left-out",
+     words("the numbers of the %1 axis are negative; they were read without their minus signs")},
     {RemarkCode::displacementUnitAssumed, "displacement-unit-assumed",
      words("the file names no unit of displacement, so %1 was assumed")},
     {RemarkCode::forceUnitAssumed, "force-unit-assumed",

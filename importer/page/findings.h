@@ -120,6 +120,7 @@ enum class RemarkCode {
   largeForcesTakenAsGram,    ///< axis
   labelContradicts,          ///< text of the label, axis, value where it stands
   axisWithoutTicks,          ///< axis
+  signsLeftOut,              ///< axis
   // force logs
   displacementUnitAssumed,  ///< unit taken
   forceUnitAssumed,         ///< unit taken

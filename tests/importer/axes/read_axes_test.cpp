@@ -748,6 +748,32 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
   }
 }
 
+TEST_CASE("numbers that count on below zero are read without their signs") {
+  PlotStyle s;
+  double from = -4;  // at the left, with steps of 0.5 mm
+  AxisHints hints;
+  SECTION("to zero") {}
+  SECTION("a margin beyond zero") { from = -3.9; }
+  SECTION("given with signs") { hints.xMin = -4, hints.xMax = 0; }
+  SECTION("given without signs") { hints.xMin = 4, hints.xMax = 0; }
+  s.xFrom = from;
+  auto looked = readWithoutCurves(s);
+  writeBelow(looked.view, s);
+  writeLeft(looked.view, s);
+  looked.view.texts.push_back({"Depth / mm", {420, 545, 520, 562}, 0});
+  looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
+  const auto axes = readAxes(looked.view, looked.frame, hints);
+  REQUIRE(axes);
+  const AxisCalibration& c = axes->calibration.value;
+  CHECK(c.x.min == Approx(-from));
+  CHECK(c.x.max == Approx(-from - 4).margin(1e-9));
+  CHECK(c.x.contradicting.empty());
+  CHECK(c.toUnits({s.left, s.bottom}).x == Approx(-from).epsilon(1e-3));
+  CHECK(c.toUnits({s.right, s.bottom}).x == Approx(-from - 4).margin(0.01));
+  CHECK(std::ranges::count(axes->remarks, RemarkCode::signsLeftOut, &Remark::code) ==
+        (hints.xMin == 4.0 ? 0 : 1));
+}
+
 TEST_CASE("an uneven scale is named as the reason even where some of its labels fit a line") {
   struct Scale {
     const char* says;

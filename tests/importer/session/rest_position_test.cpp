@@ -42,5 +42,7 @@ TEST_CASE("A bottom-out that leans to the left becomes upright and keeps its hei
 }
 
 TEST_CASE("A curve that lies left of 0 mm altogether is refused") {
-  CHECK_FALSE(startingAtRest(curve({{-2, 0, 0, 0}, {-1, 1, 0, 0}})));
+  const auto moved = startingAtRest(curve({{-2, 0, 0, 0}, {-1, 1, 0, 0}}));
+  REQUIRE_FALSE(moved);
+  CHECK(english(moved.failure().problem) == "the press starts at -2 mm, left of zero");
 }
