@@ -225,14 +225,19 @@ void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& positions, const 
 }
 
 /// Accepts numbers that fall to the right or upwards only if all numbers of a row agree, at least four, each
-/// at its tick.
-std::optional<Progression> fallingProgression(const std::vector<LabelPlace>& positions,
+/// at its tick. The other axis' zero in the corner beside them belongs to no scale that falls, and is dropped.
+std::optional<Progression> fallingProgression(std::vector<LabelPlace>& positions,
                                               const std::vector<GridLine>& ticks, Axis axis) {
   constexpr int fewest = 4;
   auto falling = fitProgression(positions, ticks, axis != Axis::x);
+  if (!falling || !falling->fromTicks || falling->labels < fewest) return {};
   const auto numbers =
       std::ranges::count_if(positions, [](const LabelPlace& p) { return !p.readings.empty(); });
-  if (!falling || !falling->fromTicks || falling->labels < fewest || falling->labels < numbers) return {};
+  const std::size_t corner = axis == Axis::x ? 0 : positions.size() - 1;
+  std::vector<NumberReading>& atCorner = positions[corner].readings;
+  const bool ofOtherAxis = falling->reading[corner] < 0 && !atCorner.empty() && atCorner.front().value == 0;
+  if (falling->labels + (ofOtherAxis ? 1 : 0) < numbers) return {};
+  if (ofOtherAxis) atCorner.clear();
   return falling;
 }
 
@@ -270,7 +275,10 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   found.progression = fitProgression(positions, ticks, axis == Axis::x);
   if (kind == TextKind::number) putPointsBack(found, positions, ticks, axis, angle_deg);
   if (!found.progression || found.progression->labels < 3)
-    if (auto falling = fallingProgression(positions, ticks, axis)) found.progression = std::move(falling);
+    if (auto falling = fallingProgression(positions, ticks, axis)) {
+      found.progression = std::move(falling);
+      for (std::size_t i = 0; i < positions.size(); ++i) found.readings[i] = positions[i].readings;
+    }
   const bool settled = agreed(found) == static_cast<int>(found.words.size());
   if (kind == TextKind::number && height <= smallDigits_px && !settled && upright)
     readTogether(r, found, positions, ticks, axis);

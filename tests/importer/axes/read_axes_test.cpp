@@ -748,6 +748,23 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
   }
 }
 
+TEST_CASE("forces that fall upwards are read beside the other axis' zero in the corner") {
+  PlotStyle s;
+  s.yFrom = 120, s.yStep = -20;
+  auto looked = readWithoutCurves(s);
+  writeBelow(looked.view, s);
+  writeLeft(looked.view, s);
+  looked.view.texts.front().box = {74, 512, 104, 528};
+  looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
+  looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
+  const auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes);
+  CHECK(axes->calibration.value.y.min == Approx(120));
+  CHECK(axes->calibration.value.y.max == Approx(0).margin(1e-9));
+  CHECK(axes->calibration.confidence > 0.9);
+  CHECK(axes->remarks.empty());
+}
+
 TEST_CASE("numbers that count on below zero are read without their signs") {
   PlotStyle s;
   double from = -4;  // at the left, with steps of 0.5 mm
