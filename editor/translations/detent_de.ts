@@ -10627,6 +10627,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>the numbers of the %1 axis are negative; they were read without their minus signs</source>
         <translation>die Zahlen der %1-Achse sind negativ; sie wurden ohne ihr Minuszeichen gelesen</translation>
     </message>
+    <message>
+        <source>the title of the %1 axis prints the factor %2; %3</source>
+        <translation>im Titel der %1-Achse steht der Faktor %2; %3</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10672,6 +10676,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>it names no unit of force</source>
         <translation>sie nennt keine Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>the given values were not multiplied by it</source>
+        <translation>die eingegebenen Werte wurden nicht mit ihm multipliziert</translation>
+    </message>
+    <message>
+        <source>the numbers along the axis were multiplied by it</source>
+        <translation>die Zahlen an der Achse wurden mit ihm multipliziert</translation>
     </message>
 </context>
 <context>
