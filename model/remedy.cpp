@@ -29,6 +29,8 @@ RemedyNames namesOf(RemedyKind kind) {
       return {"pick-press", "--press-color"};
     case RemedyKind::pickRelease:
       return {"pick-release", "--release-color"};
+    case RemedyKind::noRelease:
+      return {"no-release", "--no-release"};
     case RemedyKind::addMask:
       return {"add-mask", "--mask X0,Y0,X1,Y1"};
     case RemedyKind::setResolution:

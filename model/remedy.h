@@ -23,6 +23,7 @@ enum class RemedyKind {
   giveYUnit,      ///< unit of force
   pickPress,      ///< the press curve's colour
   pickRelease,    ///< the release curve's colour
+  noRelease,      ///< the plot shows no release of this button
   addMask,        ///< mask what is not a curve
   setResolution,  ///< trace a picture of the page in this resolution
   swapStrokes,    ///< exchange press and release
