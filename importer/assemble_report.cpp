@@ -145,9 +145,10 @@ std::optional<Doubt> doubt(const GraphFindings& findings, const std::vector<Spec
   const Remedy mask{RemedyKind::addMask, "over what is not a curve"};
   if (findings.graph.confidence() < sure) return axesInDoubt(findings, doubts);
   if (findings.strokes.confidence < sure)
-    return Doubt{DoubtCode::curvesUncertain,
-                 {messagesOf(findings.strokes.evidence)},
-                 {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}, mask}};
+    return Doubt{
+        DoubtCode::curvesUncertain,
+        {messagesOf(findings.strokes.evidence)},
+        {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}, {RemedyKind::noRelease, {}}, mask}};
   if (const double rms_px = worstRms_px(findings); rms_px > 0.01 * diagonal_px(findings.graph.frame.value))
     return Doubt{DoubtCode::pointsMakeNoCurve,
                  {std::lround(rms_px)},
@@ -173,6 +174,7 @@ std::vector<std::string> givenByHand(const ImportHints& hints) {
   if (hints.trace.releaseColor) given.emplace_back("--release-color");
   if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
   if (hints.strokes.swap) given.emplace_back("--swap-strokes");
+  if (hints.strokes.noRelease) given.emplace_back("--no-release");
   if (!hints.strokes.curve.empty()) given.emplace_back("--curve " + hints.strokes.curve);
   const ColumnHints& columns = hints.columns;
   const auto column = [&](const char* option, const std::string& name) {
@@ -278,8 +280,6 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
       report.remarks.push_back({RemarkCode::errorBarsLeftOut, {trace.errorBars}});
       break;
     }
-  if (!request.hints.drawn.press.empty() && !report.release)
-    report.remarks.push_back({RemarkCode::releaseNotDrawn});
   auto steps = findings.graph.findings();
   steps.push_back(
       {ImportStep::strokes, findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});

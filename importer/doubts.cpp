@@ -373,6 +373,7 @@ class Doubts {
     otherLine();
     ownColourBeside();
     givenAgainstLegend();
+    releaseNotGiven();
     namedAlone();
     otherNamed();
     assumed();
@@ -386,6 +387,10 @@ class Doubts {
   void add(DoubtCode code, double confidence, std::vector<MessageValue> values, Remedies remedies) {
     doubts_.push_back({{code, std::move(values), std::move(remedies)}, confidence});
   }
+
+  bool isGiven(Stroke stroke) const { return strokeIsGiven(hints_, stroke); }
+  /// Returns true if nothing about the choice of the curves is left to be found.
+  bool isSettled() const { return isGiven(Stroke::press) && isGiven(Stroke::release); }
 
   void units() {
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
@@ -462,7 +467,8 @@ class Doubts {
   void shapes() {
     const Remedies helps{{RemedyKind::addMask, "over what is not a curve"},
                          {RemedyKind::pickPress, {}},
-                         {RemedyKind::pickRelease, {}}};
+                         {RemedyKind::pickRelease, {}},
+                         {RemedyKind::noRelease, {}}};
     const StrokePair& strokes = findings_.strokes.value;
     const Box frame = findings_.graph.frame.value.box();
     if (strokes.release) {
@@ -507,15 +513,12 @@ class Doubts {
 
   /// Doubts an import whose plot contains another long line, straight or not: a loop of another state, as a
   /// self-locking button has, or of another switch. Guides are horizontal or vertical, and leaders are short.
-  /// No doubt if the person chose among curves.
+  /// No doubt if the person chose a switch or both strokes.
   void otherLine() {
     constexpr double leastWidth = 0.3, leastHeight = 0.2;  // shares of the frame's sides
     constexpr double mostThickness =
         8;  // in thicknesses of the curves: not a filled patch, but at most three lines that meet
-    const TraceHints& given = hints_.trace;
-    const bool chosen = !hints_.strokes.curve.empty() || given.pressColor || given.releaseColor ||
-                        !hints_.drawn.press.empty() || !hints_.drawn.release.empty();
-    if (chosen) return;
+    if (isSettled() || !hints_.strokes.curve.empty()) return;
     const Box frame = findings_.graph.frame.value.box();
     const auto& left = findings_.explanation.left;
     const auto line = std::ranges::find_if(left, [&](const Remainder& each) {
@@ -532,7 +535,9 @@ class Doubts {
     constexpr double mostShare = 0.25;  // share of its columns; a legend key takes less
     constexpr double apart_px = 4;      // distance from pixels that are explained
     const StrokePair& strokes = findings_.strokes.value;
-    if (hints_.strokes.curve.empty() || strokes.release || findings_.graph.view.raster.rgb.empty()) return;
+    if (hints_.strokes.curve.empty() || hints_.strokes.noRelease || strokes.release ||
+        findings_.graph.view.raster.rgb.empty())
+      return;
     const Box frame = findings_.graph.frame.value.box();
     const Rgb color = colorOf(strokes.press);
     const auto [first, last] = std::ranges::minmax(strokes.press.points_px, {}, &Point::x);
@@ -582,16 +587,23 @@ class Doubts {
           {{RemedyKind::swapStrokes, {}}});
   }
 
+  /// Reports that only the press was given and that no release was found beside it.
+  void releaseNotGiven() {
+    if (isGiven(Stroke::press) && !isGiven(Stroke::release) && !findings_.strokes.value.release)
+      add(DoubtCode::releaseNotGiven, inPart, {},
+          {{RemedyKind::pickRelease, {}}, {RemedyKind::noRelease, {}}});
+  }
+
   /// Doubts two curves of which one has a name that is no stroke's, while the other's name could not be read:
   /// they may belong to two switches. If both have such names, their paths alone tell press from release.
   void namedAlone() {
     const std::vector<CurveTrace>& traces = findings_.traces;
-    const bool byHand = hints_.trace.pressColor || hints_.trace.releaseColor || !hints_.drawn.press.empty();
-    if (byHand || !findings_.strokes.value.release || traces.size() != 2) return;
+    if (isSettled() || !findings_.strokes.value.release || traces.size() != 2) return;
     const CurveTrace& named = traces[0].label.empty() ? traces[1] : traces[0];
     const CurveTrace& other = &named == &traces[0] ? traces[1] : traces[0];
     if (named.color == other.color || !namesNoStroke(named.label)) return;
-    const Remedies byColour{{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}};
+    const Remedies byColour{
+        {RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}, {RemedyKind::noRelease, {}}};
     if (other.label.empty())
       add(DoubtCode::namesNoStroke, inPart, {named.label}, byColour);
     else if (namesNoStroke(other.label))
@@ -610,8 +622,8 @@ class Doubts {
   /// plot too, in whatever colour.
   void otherNamed() {
     const CurveTrace* const press = traceOf(findings_.strokes.value.press);
-    if (!press || !hints_.strokes.curve.empty() || hints_.trace.pressColor || !hints_.drawn.press.empty())
-      return;
+    if (!press || isSettled() || !hints_.strokes.curve.empty()) return;
+    if (isGiven(Stroke::press) && !findings_.strokes.value.release) return;
     const std::string ownSwitch = folded(switchNamedBy(press->label));
     if (ownSwitch.empty()) return;
     const std::vector<SeenText>& texts = findings_.graph.axes.texts;
@@ -641,21 +653,38 @@ class Doubts {
   /// Returns true if most of a remainder has no stroke above or below it, so it is not the rim of a stroke's
   /// own line.
   bool liesApart(const Remainder& left) const {
-    const double apart_px = std::max(4.0, 0.01 * findings_.graph.frame.value.box().height());
-    const auto alongStroke = [&](Point at, const StrokePoints& stroke) {
-      return std::adjacent_find(stroke.points_px.begin(), stroke.points_px.end(), [&](Point a, Point b) {
-               if (at.x < std::min(a.x, b.x) - apart_px || at.x > std::max(a.x, b.x) + apart_px) return false;
-               if (std::abs(b.x - a.x) < apart_px)
-                 return at.y > std::min(a.y, b.y) - apart_px && at.y < std::max(a.y, b.y) + apart_px;
-               const double share = std::clamp((at.x - a.x) / (b.x - a.x), 0.0, 1.0);
-               return std::abs(at.y - std::lerp(a.y, b.y, share)) < apart_px;
-             }) != stroke.points_px.end();
-    };
     const StrokePair& strokes = findings_.strokes.value;
     const auto along = std::ranges::count_if(left.pixels_px, [&](Point at) {
-      return alongStroke(at, strokes.press) || (strokes.release && alongStroke(at, *strokes.release));
+      return runsAlong(strokes.press, at) || (strokes.release && runsAlong(*strokes.release, at));
     });
     return 2 * static_cast<std::size_t>(along) <= left.pixels_px.size();
+  }
+
+  /// Returns true if a stroke runs just above or below a point, or through it.
+  bool runsAlong(const StrokePoints& stroke, Point at) const {
+    const double apart_px = std::max(4.0, 0.01 * findings_.graph.frame.value.box().height());
+    return std::adjacent_find(stroke.points_px.begin(), stroke.points_px.end(), [&](Point a, Point b) {
+             if (at.x < std::min(a.x, b.x) - apart_px || at.x > std::max(a.x, b.x) + apart_px) return false;
+             if (std::abs(b.x - a.x) < apart_px)
+               return at.y > std::min(a.y, b.y) - apart_px && at.y < std::max(a.y, b.y) + apart_px;
+             const double share = std::clamp((at.x - a.x) / (b.x - a.x), 0.0, 1.0);
+             return std::abs(at.y - std::lerp(a.y, b.y, share)) < apart_px;
+           }) != stroke.points_px.end();
+  }
+
+  /// Returns true if most of a remainder lies along a stroke, which was drawn by hand.
+  bool isOfALine(const Remainder& left) const { return !left.pixels_px.empty() && !liesApart(left); }
+
+  /// Returns true if a jump is not one of the strokes, because a line was drawn in place of its trace.
+  bool isOfALine(const TraceJump& jump) const {
+    constexpr double on_px = 1.5;
+    const auto isOn = [&](const StrokePoints& stroke) {
+      return liesOn(stroke.points_px, jump.from_px, on_px) && liesOn(stroke.points_px, jump.to_px, on_px);
+    };
+    const StrokePair& strokes = findings_.strokes.value;
+    const bool press = hints_.drawn.press.empty() && isOn(strokes.press);
+    const bool release = hints_.drawn.release.empty() && strokes.release && isOn(*strokes.release);
+    return !press && !release;
   }
 
   /// Returns true for a legend's box: most of the pixels lie on the edges of their bounding box.
@@ -673,9 +702,13 @@ class Doubts {
   /// curves without pixels.
   void leftOver() {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/develop/decisions/0810
-    if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
+    const bool byLine = !hints_.drawn.press.empty() || !hints_.drawn.release.empty();
+    if (byLine && isSettled()) return;
     const auto& [left, jumps, patches, beside] = findings_.explanation;
-    const auto ofAStroke = [&](const auto& each) { return isOfAStroke(each); };
+    // A drawn line replaces a trace and explains the pixels along it.
+    const auto ofAStroke = [&](const auto& each) {
+      return isOfAStroke(each) && !(byLine && isOfALine(each));
+    };
     const auto most = std::ranges::find_if(left, ofAStroke);
     if (most != left.end() && most->likeness >= likeACurve)
       // A continuing curve was traced incompletely and is refused; an isolated mark may be something else on
@@ -684,10 +717,10 @@ class Doubts {
             most->atAnEnd || most->dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
         0.1;  // share of the curves' pixels; 0 on charts with markers and fills, 0.21 along a filled band
-    if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
     // share of the travel of a curve that was traced alone; a dotted line has half
     constexpr double mostBeside = 0.4;
-    if (beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::curveLeftOver, unconfirmed);
+    if (!byLine && patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::curveLeftOver, unconfirmed);
+    if (!byLine && beside.share > mostBeside) sayAt(beside.at_px, DoubtCode::curveLeftOver, unconfirmed);
     if (const auto jump = std::ranges::find_if(jumps, ofAStroke); jump != jumps.end())
       sayAt(0.5 * (jump->from_px + jump->to_px), DoubtCode::curveOverPaper, unconfirmed);
   }
@@ -716,7 +749,8 @@ class Doubts {
            {RemedyKind::giveFrame, "if the curve ends there"}});
     edges(strokes.press);
     if (strokes.release) edges(*strokes.release);
-    const bool curvesChosen = hints_.trace.pressColor || !hints_.drawn.press.empty();
+    // The second scale may be that of a release which nobody gave.
+    const bool curvesChosen = isGiven(Stroke::press) && (isGiven(Stroke::release) || !strokes.release);
     // On a plot with two scales of force, a curve's colour does not show to which scale it belongs.
     const RightScale right = findings_.graph.axes.rightScale;
     const bool settled =
@@ -728,7 +762,8 @@ class Doubts {
 
   static Remedies ofLeftScale() {
     return {{RemedyKind::pickPress, {}},
-            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}};
+            {RemedyKind::pickRelease, "with the colours of the left scale's curves"},
+            {RemedyKind::noRelease, {}}};
   }
 
   /// Says what the second scale measures, to follow its subject in a message: the quantity that the scale's

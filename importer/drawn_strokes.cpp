@@ -12,6 +12,8 @@ namespace {
 // share of the plot frame's diagonal: accuracy of a hand on a plot that is shown as a whole
 constexpr double reachShare = 0.012;
 constexpr double leastReach_px = 4, mostReach_px = 24;
+// A drawn line that covers less than this share of a traced stroke's displacement replaces that part alone.
+constexpr double wholeStrokeShare = 0.8;
 
 std::pair<double, double> spanOf(const StrokePoints& stroke) {
   const auto [low, high] = std::minmax_element(
@@ -48,11 +50,16 @@ StrokePoints strokeFromDrawn(const std::vector<Point>& drawn, Stroke stroke, con
   return points;
 }
 
-StrokePoints withDrawnPart(const StrokePoints& traced, const StrokePoints& drawn) {
-  if (traced.points.empty() || drawn.points.empty()) return drawn.points.empty() ? traced : drawn;
+bool drawsWhole(const StrokePoints& traced, const StrokePoints& drawn) {
   const auto [from, to] = spanOf(traced);
   const auto [drawnFrom, drawnTo] = spanOf(drawn);
-  if (drawnTo - drawnFrom >= wholeStrokeShare * (to - from)) return drawn;
+  return drawnTo - drawnFrom >= wholeStrokeShare * (to - from);
+}
+
+StrokePoints withDrawnPart(const StrokePoints& traced, const StrokePoints& drawn) {
+  if (traced.points.empty() || drawn.points.empty()) return drawn.points.empty() ? traced : drawn;
+  if (drawsWhole(traced, drawn)) return drawn;
+  const auto [drawnFrom, drawnTo] = spanOf(drawn);
   const bool increases = traced.points.front().displacement_mm < traced.points.back().displacement_mm;
   const auto isBefore = [&, low = drawnFrom, high = drawnTo](double x) {
     return increases ? x < low : x > high;

@@ -2,8 +2,12 @@
 #include "importer/graph_question.h"
 
 #include <array>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
+
+#include "importer/page/same_colour.h"
 
 namespace detent::importer {
 namespace {
@@ -32,20 +36,42 @@ Question whichUnit(bool ofForce) {
 }
 
 Question whichIsPress(const std::vector<CurveTrace>& traces) {
-  Question question{"which curve is the press", {}};
-  for (const auto& [press, release] : {std::pair(0, 1), std::pair(1, 0)}) {
-    const std::string pressColor = nameOf(traces[static_cast<std::size_t>(press)].color),
-                      releaseColor = nameOf(traces[static_cast<std::size_t>(release)].color);
-    Choice choice{pressColor, "--press-color "};
-    choice.option.append(pressColor).append(" --release-color ").append(releaseColor);
-    question.choices.push_back(std::move(choice));
-  }
+  Question question{"which curves are press and release", {}};
+  const std::array colors{nameOf(traces[0].color), nameOf(traces[1].color)};
+  for (const auto& [press, release] : {std::pair<std::size_t, std::size_t>(0, 1), {1, 0}})
+    question.choices.push_back({"press " + colors[press] + ", release " + colors[release],
+                                "--press-color " + colors[press] + " --release-color " + colors[release]});
+  for (const std::string& color : colors)
+    question.choices.push_back(
+        {"press " + color + ", no release", "--press-color " + color + " --no-release"});
   return question;
+}
+
+/// The curves in other colours than the press, which a person gave.
+Question whichIsRelease(const std::vector<CurveTrace>& traces, const ImportHints& hints) {
+  Question question{"which curve is the release", {}};
+  std::set<std::string> colors;
+  for (const CurveTrace& trace : traces) {
+    const bool isPress = trace.stroke == Stroke::press ||
+                         (hints.trace.pressColor && isSameColour(trace.color, *hints.trace.pressColor));
+    const std::string color = nameOf(trace.color);
+    if (!isPress && colors.insert(color).second)
+      question.choices.push_back({color, "--release-color " + color});
+  }
+  question.choices.push_back({"this button has no release", "--no-release"});
+  return question;
+}
+
+/// Returns true for a failure that the choice of the curves may settle.
+bool isOfCurves(const Failure& failure) {
+  return failure.remedies.include(RemedyKind::pickRelease) ||
+         failure.remedies.include(RemedyKind::drawPress) || failure.remedies.include(RemedyKind::noRelease);
 }
 
 }  // namespace
 
-std::optional<Question> questionAbout(const Failure& failure, const GraphEvidence* evidence) {
+std::optional<Question> questionAbout(const Failure& failure, const GraphEvidence* evidence,
+                                      const ImportHints& hints) {
   if (failure.code != FailureCode::notCertain) return {};
   if (failure.reason == nameOf(DoubtCode::severalSwitches) && evidence && evidence->switches.size() > 1)
     return whichSwitch(evidence->switches);
@@ -53,6 +79,10 @@ std::optional<Question> questionAbout(const Failure& failure, const GraphEvidenc
     const bool x = failure.remedies.include(RemedyKind::giveXUnit),
                y = failure.remedies.include(RemedyKind::giveYUnit);
     if (x != y) return whichUnit(y);
+  }
+  if (strokeIsGiven(hints, Stroke::press)) {
+    if (!evidence || strokeIsGiven(hints, Stroke::release) || !isOfCurves(failure)) return {};
+    return whichIsRelease(evidence->traces, hints);
   }
   const bool mayBeExchanged = failure.reason == nameOf(DoubtCode::strokesAlike) ||
                               failure.reason == nameOf(DoubtCode::releaseAbovePress);

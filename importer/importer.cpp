@@ -58,9 +58,10 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
     case RemedyKind::giveYUnit:
       return axes.yUnit.has_value();
     case RemedyKind::pickPress:
-      return hints.trace.pressColor.has_value();
+      return hints.trace.pressColor || !hints.drawn.press.empty();
     case RemedyKind::pickRelease:
-      return hints.trace.releaseColor.has_value();
+    case RemedyKind::noRelease:
+      return hints.trace.releaseColor || !hints.drawn.release.empty() || hints.strokes.noRelease;
     case RemedyKind::setResolution:
       return hints.dpi.has_value();
     case RemedyKind::drawPress:
@@ -73,6 +74,10 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
 }
 
 }  // namespace
+
+bool strokeIsGiven(const ImportHints& hints, Stroke stroke) {
+  return isGiven(hints, stroke == Stroke::press ? RemedyKind::pickPress : RemedyKind::pickRelease);
+}
 
 Remedies leftToTry(const Remedies& remedies, const ImportHints& hints) {
   Remedies left = remedies.without([&](RemedyKind kind) { return isGiven(hints, kind); });

@@ -57,6 +57,10 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
+/// Returns true if a person decided this stroke: its colour, its line, or that there is no release. An answer
+/// settles only the question it answers: the other stroke is still found, with all doubts about that choice.
+bool strokeIsGiven(const ImportHints& hints, Stroke stroke);
+
 /// Remedies that the user has not supplied yet. A remedy that was supplied and did not remove the doubt is
 /// not offered again. If none is left: drawing the strokes by hand, unless only axes can help, then
 /// accepting the doubt.

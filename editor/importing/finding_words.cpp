@@ -37,6 +37,8 @@ std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
       return {{words("click the press curve with the pipette"), words("Pick press curve")}};
     case RemedyKind::pickRelease:
       return {{words("click the release curve with the pipette"), words("Pick release curve")}};
+    case RemedyKind::noRelease:
+      return {{words("state that the page shows no release of this button"), words("No release curve")}};
     case RemedyKind::addMask:
       return {{words("paint a mask over what is not part of a curve"), words("Paint mask")}};
     case RemedyKind::setResolution:
@@ -63,12 +65,14 @@ QString instruction(RemedyKind kind) {
     words("which recording should be read"),
     words("what is the unit of force"),
     words("what is the unit of displacement"),
-    words("which curve is the press"),
+    words("which curves are press and release"),
+    words("which curve is the release"),
     words("what do the columns measure"),
     words("which columns hold displacement and force"),
     words("which column holds the force"),
     words("which column holds the displacement"),
     words("does the second column of forces hold the release"),
+    words("this button has no release"),
     words("their mean"),
     words("it is the release"),
     words("it is another recording")};
@@ -131,8 +135,6 @@ QString inWords(const importer::Remark& remark, const DisplayUnits& units) {
   if (remark.code == importer::RemarkCode::operatingPointNotPlaced ||
       remark.code == importer::RemarkCode::resetPointNotPlaced)
     text += ' ' + tr("To set the point, right-click its place on the curve.");
-  if (remark.code == importer::RemarkCode::releaseNotDrawn)
-    text += ' ' + tr("If the page shows a release, use “Draw release”.");
   QStringList advised;
   for (const RemedyKind each : correctionsAmong(remark.remedies)) advised << instruction(each);
   if (!advised.isEmpty()) text += ' ' + asSentence(tr("If that is wrong, ") + advised.join(tr(", or ")));

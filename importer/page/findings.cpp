@@ -34,7 +34,9 @@ constexpr Wording<EvidenceCode> evidenceWords[] = {
     {EvidenceCode::labelsInProgression, "labels-in-progression",
      words("%1 axis: %2 of %3 printed numbers fit one scale, with %4 ticks")},
     {EvidenceCode::distinguishedByPath, "told-apart-by-course",
-     words("press and release are drawn as one loop, whose course tells which part is which")},
+     words("both curves have one colour, and their course tells which is the press")},
+    {EvidenceCode::distinguishedByHand, "told-apart-by-hand",
+     words("the press or the release was given by hand")},
     {EvidenceCode::namedByLegend, "named-by-legend", words("the legend names press and release")},
     {EvidenceCode::pressAboveRelease, "press-above-release",
      words("the press lies above the release along %1 of the travel on which they differ")},
@@ -77,7 +79,7 @@ constexpr Wording<DoubtCode> doubtWords[] = {
      words("press and release cannot be told apart: neither legend nor hysteresis says which is which (%1, "
            "%2)")},
     {DoubtCode::releaseAbovePress, "release-above-press",
-     words("the release lies above the press over %1 of their travel")},
+     words("the curve that would be the release lies above the press over %1 of their travel")},
     {DoubtCode::unitMissing, "unit-missing", words("the %1 axis names no unit; %2 would be a guess")},
     {DoubtCode::otherQuantity, "other-quantity", words("the %1 axis cannot be used: %2")},
     {DoubtCode::axesExchanged, "axes-exchanged",
@@ -88,7 +90,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::negativeTravel, "negative-travel", words("the press starts at %1, left of zero")},
     {DoubtCode::negativeForce, "negative-force", words("the press goes down to %1, below zero")},
     {DoubtCode::strokesCoincide, "strokes-coincide",
-     words("press and release coincide over most of their length, or one jumps to the other and back")},
+     words("the curves that would be press and release run along each other, or one jumps to the other and "
+           "back")},
     {DoubtCode::alongAnAxis, "along-an-axis",
      words("more than half of a curve is parallel to an axis, as gridlines are")},
     {DoubtCode::manyTactilePoints, "many-tactile-points",
@@ -126,6 +129,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::givenAgainstLabels, "given-against-labels",
      words("the values entered for the %1 axis contradict the numbers printed there (%2)")},
     {DoubtCode::factorPrinted, "factor-printed", words("the title of the %1 axis prints the factor %2; %3")},
+    {DoubtCode::releaseNotGiven, "release-not-given",
+     words("imported without a release: none was given by hand beside the press")},
     {DoubtCode::rangeFalls, "range-falls",
      words("the %1 numbers along this axis decrease, and the plot could not be mirrored")},
     {DoubtCode::assumed, "assumed", words("%1")}};
@@ -186,9 +191,7 @@ constexpr Wording<RemarkCode> remarkWords[] = {
     {RemarkCode::resetPointNotPlaced, "reset-point-not-placed",
      words("the page states a reset point, but it could not be placed on the curve")},
     {RemarkCode::errorBarsLeftOut, "error-bars-left-out",
-     words("the curves carry error bars (%1); they are left out")},
-    {RemarkCode::releaseNotDrawn, "release-not-drawn",
-     words("only the press was drawn by hand: the button has no release")}};
+     words("the curves carry error bars (%1); they are left out")}};
 
 static_assert(isInOrder(evidenceWords) && isInOrder(doubtWords) && isInOrder(remarkWords));
 

@@ -27,7 +27,8 @@ enum class EvidenceCode {
   axisGiven,             ///< axis
   axisGivenAmongLabels,  ///< axis, labels that agree with the given ends, numbers read
   labelsInProgression,   ///< axis, labels in it, numbers read, ticks
-  distinguishedByPath,   ///< both strokes are drawn as one loop
+  distinguishedByPath,   ///< both strokes are drawn in one colour
+  distinguishedByHand,   ///< colours or lines given by hand
   namedByLegend,
   pressAboveRelease,  ///< share of the travel where the two curves differ
   oneHigherForce,
@@ -94,6 +95,7 @@ enum class DoubtCode {
   givenAgainstLegend,  ///< given colour of a stroke, and the legend's text for the curve of that colour
   givenAgainstLabels,  ///< axis, the labels that contradict the ends given for it
   factorPrinted,       ///< axis, factor in its title, message: numbers multiplied, or given ends not
+  releaseNotGiven,     ///< the press was given by hand, and nothing says that there is no release
   rangeFalls,          ///< numbers that fall along the axis, on a plot that cannot be mirrored
   assumed              ///< message of the evidence
 };
@@ -144,8 +146,7 @@ enum class RemarkCode {
   // printed on the page but not in the result
   operatingPointNotPlaced,  ///< the plot names one
   resetPointNotPlaced,      ///< the same
-  errorBarsLeftOut,         ///< number of bars
-  releaseNotDrawn           ///< the press was drawn by hand, its release was not
+  errorBarsLeftOut          ///< number of bars
 };
 
 struct Remark {

@@ -170,6 +170,11 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
       "--press-line", raw.pressLine,
       "X0,Y0,X1,Y1,... points along the press curve, page units; between them the drawn curve is followed");
   group->add_option("--release-line", raw.releaseLine, "the same along the release curve");
+  group
+      ->add_flag("--no-release", a.request.hints.strokes.noRelease,
+                 "the plot shows no release of this button: the press alone is imported")
+      ->excludes("--release-color")
+      ->excludes("--release-line");
   group->add_option("--mask", raw.masks, "X0,Y0,X1,Y1 to ignore, page units; may be given several times")
       ->take_all()
       ->allow_extra_args(false);

@@ -8,6 +8,8 @@
 #include "importer/assemble_report.h"
 #include "importer/doubts.h"
 #include "importer/drawn_strokes.h"
+#include "importer/page/polyline.h"
+#include "importer/page/same_colour.h"
 #include "importer/session/better_copy.h"
 #include "importer/session/fit_strokes.h"
 #include "importer/wider_frame.h"
@@ -40,20 +42,86 @@ void moveTo(const AxisCalibration& to, const AxisCalibration& from, StrokePoints
   }
 }
 
-/// Replaces traced strokes by those that the user has drawn, and adds drawn ones that were not traced.
-Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const DrawnStrokes& drawn,
-                                    const LocatedGraph& graph) {
-  const auto strokeOf = [&](const std::vector<Point>& line, Stroke stroke) {
-    return strokeFromDrawn(line, stroke, graph.view, graph.frame.value, graph.axes.calibration.value);
+/// The curves, of which the one along a line is named this stroke. A person drew the line, so its curve is
+/// certain; another curve that was named so is the other stroke.
+std::vector<CurveTrace> namedByLine(std::vector<CurveTrace> curves, const StrokePoints& line, Stroke stroke) {
+  constexpr double near_px = 3, most = 0.5;  // share of the line
+  const auto shareAlong = [&](const CurveTrace& curve) {
+    const auto along = std::ranges::count_if(line.points_px, [&](Point p) {
+      return curve.points_px.size() >= 2 && distance(nearestOn(curve.points_px, p), p) <= near_px;
+    });
+    return static_cast<double>(along) / static_cast<double>(line.points_px.size());
   };
-  const StrokePoints press = strokeOf(drawn.press, Stroke::press);
-  const StrokePoints release = strokeOf(drawn.release, Stroke::release);
+  if (curves.empty() || line.points_px.empty()) return curves;
+  const auto drawn = std::ranges::max_element(curves, {}, shareAlong);
+  if (shareAlong(*drawn) < most) return curves;
+  const Stroke other = stroke == Stroke::press ? Stroke::release : Stroke::press;
+  for (CurveTrace& curve : curves)
+    if (curve.stroke == stroke) curve.stroke = other;
+  drawn->stroke = stroke;
+  drawn->confidence = 1;
+  return curves;
+}
+
+/// The curves of the release's given colour beside a drawn press.
+std::vector<const CurveTrace*> givenReleases(const std::vector<CurveTrace>& curves, Rgb color) {
+  std::vector<const CurveTrace*> releases;
+  for (const CurveTrace& curve : curves) {
+    const bool hasColour = curve.stroke ? curve.stroke == Stroke::release : isSameColour(curve.color, color);
+    if (curve.points_px.size() >= 2 && hasColour) releases.push_back(&curve);
+  }
+  return releases;
+}
+
+Failure noReleaseOfColour(Rgb color) {
+  return {
+      FailureCode::notCertain,
+      "plot frame",
+      "",
+      Message("no curve beside the press has the colour %1 that was given for the release", nameOf(color)),
+      {{RemedyKind::pickRelease, {}}, {RemedyKind::noRelease, {}}}};
+}
+
+/// Press and release among the curves, with those that a person drew in place of traced ones. A drawn stroke
+/// is certain. The choice of the other one is as certain as it is beside the drawn one.
+Result<Found<StrokePair>> strokesOf(std::vector<CurveTrace> curves, const LocatedGraph& graph,
+                                    const ImportHints& hints) {
+  const AxisCalibration& axes = graph.axes.calibration.value;
+  auto traced = strokesAmong(curves, graph, hints.strokes);
+  const auto drawnAs = [&](const std::vector<Point>& line, Stroke stroke) {
+    return strokeFromDrawn(line, stroke, graph.view, graph.frame.value, axes);
+  };
+  const StrokePoints press = drawnAs(hints.drawn.press, Stroke::press);
+  const StrokePoints release = drawnAs(hints.drawn.release, Stroke::release);
   if (press.points.empty() && (release.points.empty() || !traced)) return traced;
-  StrokePair pair;
-  if (traced) pair = std::move(traced->value);
-  pair.press = withDrawnPart(pair.press, press);
+  // A line over a part of a traced stroke says which stroke that part belongs to: the traced one.
+  const auto wholeOf = [](const StrokePoints* whole, const StrokePoints& drawn) {
+    if (!whole || drawn.points.empty() || drawsWhole(*whole, drawn)) return drawn;
+    return *whole;
+  };
+  const StrokePair before = traced ? traced->value : StrokePair{};
+  curves = namedByLine(std::move(curves), wholeOf(traced ? &before.press : nullptr, press), Stroke::press);
+  curves = namedByLine(std::move(curves), wholeOf(before.release ? &*before.release : nullptr, release),
+                       Stroke::release);
+  StrokeHints beside = hints.strokes;
+  if (!release.points.empty() && !before.release) beside.noRelease = true;  // none but the drawn one
+  traced = strokesAmong(curves, graph, beside);
+  if (!traced && press.points.empty()) return traced;
+
+  Found<StrokePair> found{{before.press, {}}, 1, DecidedBy::given, {}};
+  if (traced) found = std::move(*traced);
+  StrokePair& pair = found.value;
+  const bool byColour = !press.points.empty() && hints.trace.releaseColor;
+  const auto given =
+      byColour ? givenReleases(curves, *hints.trace.releaseColor) : std::vector<const CurveTrace*>();
+  if (byColour && given.empty()) return noReleaseOfColour(*hints.trace.releaseColor);
+  pair.press = given.size() == 1 && !pair.release ? press : withDrawnPart(pair.press, press);
+  if (given.size() == 1) pair.release = strokeOf(*given.front(), Stroke::release, axes);
   if (!release.points.empty()) pair.release = withDrawnPart(pair.release.value_or(StrokePoints{}), release);
-  return Found<StrokePair>{std::move(pair), 1, DecidedBy::given, {}};
+  if (hints.strokes.noRelease) pair.release.reset();
+  if (strokeIsGiven(hints, Stroke::press) && strokeIsGiven(hints, Stroke::release))
+    found.confidence = 1, found.by = DecidedBy::given, found.evidence.clear();
+  return found;
 }
 
 /// A falling scale that could not be mirrored is refused, unless a person gave it.
@@ -225,7 +293,7 @@ ImportAttempt GraphReader::readChosen(ChosenGraph& choice, const ImportRequest& 
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
     StepClock time(seconds_, ImportStep::strokes);
-    return withDrawn(strokesAmong(**curves, graph, request.hints.strokes), request.hints.drawn, graph);
+    return strokesOf(**curves, graph, request.hints);
   }();
   std::optional<Wider> wider;
   // Strokes that the frame cuts may resemble those of two switches, so a wider frame is tried.

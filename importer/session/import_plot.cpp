@@ -79,7 +79,7 @@ ImportAttempt importPlot(GraphReader& reader, const ImportRequest& request, cons
 std::optional<Question> openQuestion(GraphReader& reader, const ImportAttempt& attempt,
                                      const ImportRequest& request, const Progress& progress) {
   if (attempt.report) return {};
-  const auto question = questionAbout(attempt.report.failure(), attempt.evidence.get());
+  const auto question = questionAbout(attempt.report.failure(), attempt.evidence.get(), request.hints);
   if (!question) return {};
   Progress silent;
   silent.cancelled = progress.cancelled;

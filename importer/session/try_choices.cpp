@@ -9,6 +9,10 @@ namespace detent::importer {
 bool takeUp(const Choice& choice, ImportHints& hints) {
   std::istringstream words(choice.option);
   for (std::string name, value; words >> name;) {
+    if (name == "--no-release") {
+      hints.strokes.noRelease = true;
+      continue;
+    }
     if (!(words >> value)) return false;
     if (name == "--record" || name == "--curve")
       hints.strokes.curve = value;

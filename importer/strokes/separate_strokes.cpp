@@ -68,7 +68,9 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const PairShape
     const bool firstIsPress = ofFirst ? *ofFirst == Stroke::press : *ofSecond == Stroke::release;
     verdict.add(firstIsPress ? odds : -odds, {source});
   };
-  vote(first.stroke, second.stroke, 5, EvidenceCode::distinguishedByPath);
+  // The tracer separates curves of one colour; of two colours a person said which is which.
+  vote(first.stroke, second.stroke, 5,
+       first.color == second.color ? EvidenceCode::distinguishedByPath : EvidenceCode::distinguishedByHand);
   vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, EvidenceCode::namedByLegend);
   const double apart = shape.above + shape.below;
   if (apart > 0.02) {
@@ -197,7 +199,8 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
                       {{above, Measure::share}},
                       {{RemedyKind::addMask, "over what is not a curve"},
                        {RemedyKind::pickPress, {}},
-                       {RemedyKind::pickRelease, {}}}},
+                       {RemedyKind::pickRelease, {}},
+                       {RemedyKind::noRelease, {}}}},
                      "plot frame");
   if (!firstIsPress) std::swap(a, b);
   found.value.press = std::move(a);
@@ -290,12 +293,33 @@ bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
          (otherLowest.y - own.points_px.front().y > further_px && covers(own.points_px.begin()));
 }
 
+/// The only curve that was named the press, by hand or by the tracer; null if there is none or several.
+const CurveTrace* onlyPress(const std::vector<CurveTrace>& traces) {
+  const auto isPress = [](const CurveTrace& trace) {
+    return trace.stroke == Stroke::press && trace.points_px.size() >= 2;
+  };
+  const auto press = std::ranges::find_if(traces, isPress);
+  return std::ranges::count_if(traces, isPress) == 1 ? &*press : nullptr;
+}
+
+/// A press of which a person says that it has no release. What its names say about one is settled.
+Result<Found<StrokePair>> pressWithoutRelease(const CurveTrace& trace, const AxesFound& axes) {
+  auto found = pressAlone(trace, axes);
+  if (found) found->confidence = credit(trace.confidence), found->evidence.clear();
+  return found;
+}
+
 Failure hiddenEnd() {
   return {FailureCode::notCertain, "plot frame", "",
           Message("the curve ends where the curve of another switch covers it"), RemedyKind::drawPress};
 }
 
 }  // namespace
+
+StrokePoints strokeOf(const CurveTrace& trace, Stroke stroke, const AxisCalibration& calibration) {
+  StrokePoints points = inUnits(trace, calibration);
+  return stroke == Stroke::press ? points : travelledBack(std::move(points));
+}
 
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
                                           const StrokeHints& hints) {
@@ -308,6 +332,8 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
                    Message("there is no curve in the plot frame"),
                    {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
                     {RemedyKind::pickPress, "with the curve's colour"}}};
+  if (const CurveTrace* const press = hints.noRelease ? onlyPress(traces) : nullptr)
+    return pressWithoutRelease(*press, axes);
   const std::vector<PlotSwitch> switches = switchesAmong(traces);
   if (switches.empty()) return tooMany(traces);
   const auto chosen = chosenSwitch(switches, traces, hints.curve);
@@ -337,14 +363,18 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   if (chosenTraces.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
-  auto found = chosenTraces.size() == 1
-                   ? pressAlone(strokes.front(), axes)
-                   : pairOf(strokes[0], strokes[1], axes, hints.swap, switches[*chosen].sure);
+  // Who says that there is no release settles whose it would be.
+  const double sure = hints.noRelease ? 1 : switches[*chosen].sure;
+  auto found = chosenTraces.size() > 1 ? pairOf(strokes[0], strokes[1], axes, hints.swap, sure)
+               : hints.noRelease       ? pressWithoutRelease(strokes.front(), axes)
+                                       : pressAlone(strokes.front(), axes);
   if (!found) return found;
-  if (chosenTraces.size() == 1) found->confidence *= switches[*chosen].sure;
+  if (chosenTraces.size() == 1) found->confidence *= sure;
+  if (hints.noRelease) found->value.release.reset();
   // One of several switches that no legend distinguishes: its release may lie under another one.
   constexpr double ofOneOfSeveral = 0.6;
-  if (chosenTraces.size() == 1 && switches.size() > 1 && traces[chosenTraces.front()].label.empty())
+  if (!hints.noRelease && chosenTraces.size() == 1 && switches.size() > 1 &&
+      traces[chosenTraces.front()].label.empty())
     found->confidence = std::min(found->confidence, ofOneOfSeveral);
   std::ranges::move(assumed, std::back_inserter(found->evidence));
   return found;

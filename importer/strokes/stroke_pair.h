@@ -26,9 +26,13 @@ struct StrokeHints {
   bool swap = false;
   /// name or number of the switch to take if there are several (chosenSwitch); empty: the only one
   std::string curve;
+  bool noRelease = false;  ///< the plot shows no release of this button
 
   bool operator==(const StrokeHints&) const = default;
 };
+
+/// A trace as this stroke: in mm and N, in the order travelled.
+StrokePoints strokeOf(const CurveTrace& trace, Stroke stroke, const AxisCalibration& calibration);
 
 /// Failure noForceGraph: nothing that could be a press; notCertain: several switches and none chosen, curves
 /// that cannot be grouped, or press and release that cannot be separated; wrongUsage: the chosen switch does

@@ -238,7 +238,7 @@ TEST_CASE("A table that is refused comes with advice that a window can follow") 
 
 TEST_CASE("Every finding has words at the editor, and none names an option of a program") {
   using namespace importer;
-  for (int code = 0; code <= static_cast<int>(RemarkCode::releaseNotDrawn); ++code) {
+  for (int code = 0; code <= static_cast<int>(RemarkCode::errorBarsLeftOut); ++code) {
     const Remark remark{static_cast<RemarkCode>(code), {"a", "b", "c", "d"}, RemedyKind::giveXUnit};
     const QString words = inWords(remark, modelUnits);
     INFO(words.toStdString());

@@ -36,7 +36,7 @@ TEST_CASE("every finding has a name for scripts and words for people") {
   everyCodeHasItsOwnNameAndWords(DoubtCode::assumed, [&](DoubtCode c) {
     return messageOf(Doubt{c, values, {}});
   });
-  everyCodeHasItsOwnNameAndWords(RemarkCode::releaseNotDrawn, [&](RemarkCode c) {
+  everyCodeHasItsOwnNameAndWords(RemarkCode::errorBarsLeftOut, [&](RemarkCode c) {
     return messageOf(Remark{c, values, {}});
   });
   for (int step = 0; step <= static_cast<int>(ImportStep::callouts); ++step)

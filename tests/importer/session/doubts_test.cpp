@@ -88,6 +88,7 @@ struct Import {
       const bool isPartOnly =
           each.doubt.code == DoubtCode::belowTheAxis || each.doubt.code == DoubtCode::leavesThePlot ||
           each.doubt.code == DoubtCode::assumed || each.doubt.code == DoubtCode::namesNoStroke ||
+          each.doubt.code == DoubtCode::releaseNotGiven ||
           (each.doubt.code == DoubtCode::curveLeftOver && !goesOn);
       CHECK(each.confidence < 0.9);
       CHECK((each.confidence < confidenceBar) == !isPartOnly);
@@ -133,20 +134,73 @@ TEST_CASE("a point that the plot names and that was not placed is remarked") {
   CHECK_FALSE(remarked(RemarkCode::operatingPointNotPlaced, import.findings()));  // below the plot
 }
 
-TEST_CASE("a press drawn by hand without its release is remarked") {
-  Import import;
-  ImportRequest request;
-  const auto remarked = [&] {
+TEST_CASE("a given press without a release is reported until a person says that there is none") {
+  struct Row {
+    const char* given;
+    void (*give)(ImportHints&);
+    bool releaseFound, reported;
+  };
+  const auto line = [](ImportHints& hints) { hints.drawn.press = {{100, 400}, {400, 200}}; };
+  const auto color = [](ImportHints& hints) { hints.trace.pressColor = Rgb{200, 30, 30}; };
+  for (const Row& row :
+       {Row{"nothing", [](ImportHints&) {}, false, false}, Row{"press line", line, false, true},
+        Row{"press line, release found", line, true, false}, Row{"press colour", color, false, true},
+        Row{"press colour, no release",
+            [](ImportHints& hints) {
+              hints.trace.pressColor = Rgb{200, 30, 30};
+              hints.strokes.noRelease = true;
+            },
+            false, false},
+        Row{"switch", [](ImportHints& hints) { hints.strokes.curve = "1"; }, false, false}}) {
+    CAPTURE(row.given);
+    Import import;
+    if (row.releaseFound) import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
+    ImportRequest request;
+    row.give(request.hints);
     const auto report = assembleReport(import.findings(), {}, request);
     REQUIRE(report.ok());
-    return std::ranges::any_of(
-        report->remarks, [](const Remark& remark) { return remark.code == RemarkCode::releaseNotDrawn; });
+    CHECK((report->confidence < 1) == row.reported);
+    CHECK(std::ranges::any_of(report->remarks, [](const Remark& remark) {
+            return remark.code == RemarkCode::doubted && remark.remedies.include(RemedyKind::noRelease);
+          }) == row.reported);
+  }
+}
+
+TEST_CASE("an answer about the press leaves all doubts about the release") {
+  Import pair;
+  pair.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, {0, 0.1}};
+  Import scale = pair, names = pair, line = pair, dashes = pair;
+  scale.graph.axes.rightScale = RightScale::other;
+  names.traces.resize(2);
+  names.traces[0].color = {200, 30, 30}, names.traces[1].color = {30, 30, 200};
+  names.traces[1].label = "Clicky";
+  Remainder left;
+  left.box_px = {250, 150, 420, 350}, left.thickness = 1.2;
+  left.pixels_px = {{250, 350}, {300, 300}, {350, 250}, {420, 150}};
+  line.explanation.left = {left};
+  left.likeness = 0.8, left.atAnEnd = true;
+  dashes.explanation.left = {left};
+  struct Row {
+    const char* given;
+    void (*give)(ImportHints&);
+    bool settled;
   };
-  CHECK_FALSE(remarked());
-  request.hints.drawn.press = import.hints.drawn.press = {{100, 400}, {400, 200}};
-  CHECK(remarked());
-  import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
-  CHECK_FALSE(remarked());
+  const auto press = [](ImportHints& hints) { hints.trace.pressColor = Rgb{200, 30, 30}; };
+  const auto pressLine = [](ImportHints& hints) { hints.drawn.press = {{100, 400}, {400, 200}}; };
+  const auto release = [](ImportHints& hints) { hints.trace.releaseColor = Rgb{30, 30, 200}; };
+  const auto bothLines = [](ImportHints& hints) {
+    hints.drawn = {{{100, 400}, {400, 200}}, {{100, 400}, {400, 250}}};
+  };
+  for (const Row& row : {Row{"nothing", [](ImportHints&) {}, false}, Row{"press", press, false},
+                         Row{"press line", pressLine, false}, Row{"release", release, false},
+                         Row{"both lines", bothLines, true}}) {
+    CAPTURE(row.given);
+    for (Import* each : {&scale, &names, &line, &dashes}) each->hints = {}, row.give(each->hints);
+    CHECK(scale.weighed(DoubtCode::otherScale).has_value() == !row.settled);
+    CHECK(names.weighed(DoubtCode::namesNoStroke).has_value() == !row.settled);
+    CHECK((line.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar) == !row.settled);
+    CHECK((dashes.weighed(DoubtCode::curveLeftOver).value_or(1) < confidenceBar) == !row.settled);
+  }
 }
 
 TEST_CASE("a unit that no title names is doubted, unless the page confirms it or it is given") {
@@ -350,6 +404,7 @@ TEST_CASE("pixels of a curve's colour that nothing explains are doubted, and a c
   import.explanation = {{}, {{ {200, 200}, {200, 260}, 0.1 }}, {}, {}};
   CHECK(import.doubted(DoubtCode::curveOverPaper));
   import.hints.drawn.press = {{100, 400}, { 400, 200 }};
+  import.hints.strokes.noRelease = true;
   CHECK(import.doubts().empty());
 }
 
@@ -530,9 +585,9 @@ TEST_CASE("one of two curves is called something that is no stroke, and the othe
   import.traces[0].color = {200, 30, 30}, import.traces[1].color = {30, 30, 200};
   import.traces[1].label = "Clicky";
   CHECK(import.doubted(DoubtCode::namesNoStroke));
-  import.hints.trace.pressColor = import.traces[0].color;
+  import.hints.trace = {import.traces[0].color, import.traces[1].color, {}};
   CHECK_FALSE(import.doubted(DoubtCode::namesNoStroke));
-  import.hints.trace.pressColor.reset();
+  import.hints.trace = {};
   // A stroke's word, a word of every curve, a program's own name, and two names, which the rules for legends
   // judge.
   for (const char* name : {"Release", "Force", "Series 2", ""}) {
@@ -797,6 +852,9 @@ void give(RemedyKind kind, ImportHints& hints) {
     case RemedyKind::setResolution:
       hints.dpi = 300;
       break;
+    case RemedyKind::noRelease:
+      hints.strokes.noRelease = true;
+      break;
     case RemedyKind::drawPress:
       hints.drawn.press = {{0, 0}, {1, 1}};
       break;
@@ -887,11 +945,12 @@ TEST_CASE("a doubt too small to refuse is said once, and kept in the button's fi
 }
 
 TEST_CASE("a refusal that one answer settles is a question") {
-  const auto optionsOf = [](DoubtCode code, const Remedies& remedies, const GraphEvidence* evidence) {
+  ImportHints hints;
+  const auto optionsOf = [&](DoubtCode code, const Remedies& remedies, const GraphEvidence* evidence) {
     Failure failure{FailureCode::notCertain, "plot.png", {}, Message("refused"), remedies};
     failure.reason = nameOf(code);
     std::vector<std::string> options;
-    if (const auto question = questionAbout(failure, evidence))
+    if (const auto question = questionAbout(failure, evidence, hints))
       for (const auto& choice : question->choices) options.push_back(choice.option);
     return options;
   };
@@ -907,7 +966,15 @@ TEST_CASE("a refusal that one answer settles is a question") {
   evidence.traces[0].color = {0xc8, 0x10, 0x2e}, evidence.traces[1].color = {0x0b, 0x5c, 0xad};
   CHECK(optionsOf(DoubtCode::strokesAlike, {}, &evidence) ==
         std::vector<std::string>{"--press-color #c8102e --release-color #0b5cad",
-                                 "--press-color #0b5cad --release-color #c8102e"});
+                                 "--press-color #0b5cad --release-color #c8102e",
+                                 "--press-color #c8102e --no-release", "--press-color #0b5cad --no-release"});
+  hints.trace.pressColor = evidence.traces[0].color;  // the release is still a question
+  CHECK(optionsOf(DoubtCode::releaseAbovePress, RemedyKind::pickRelease, &evidence) ==
+        std::vector<std::string>{"--release-color #0b5cad", "--no-release"});
+  CHECK(optionsOf(DoubtCode::pageIsScan, RemedyKind::giveFrame, &evidence).empty());
+  hints.strokes.noRelease = true;
+  CHECK(optionsOf(DoubtCode::releaseAbovePress, RemedyKind::pickRelease, &evidence).empty());
+  hints = {};
   evidence.traces[1].color = evidence.traces[0].color;
   CHECK(optionsOf(DoubtCode::strokesAlike, {}, &evidence).empty());
   evidence.switches.resize(2);
@@ -915,10 +982,12 @@ TEST_CASE("a refusal that one answer settles is a question") {
   CHECK(optionsOf(DoubtCode::severalSwitches, {}, &evidence) ==
         std::vector<std::string>{"--curve 1", "--curve 2"});
 
-  ImportHints hints;
   CHECK(takeUp({"", "--press-color #c8102e --release-color #0b5cad"}, hints));
   CHECK(hints.trace.pressColor == Rgb{0xc8, 0x10, 0x2e});
   CHECK(hints.trace.releaseColor == Rgb{0x0b, 0x5c, 0xad});
+  CHECK_FALSE(hints.strokes.noRelease);
+  CHECK(takeUp({"", "--press-color #c8102e --no-release"}, hints));
+  CHECK(hints.strokes.noRelease);
   CHECK(takeUp({"", "--curve 2"}, hints));
   CHECK(hints.strokes.curve == "2");
   CHECK_FALSE(takeUp({"", "--frame 1,2,3,4"}, hints));

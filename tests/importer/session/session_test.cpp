@@ -42,6 +42,41 @@ ImportReport imported(ImportSession& session, const ImportRequest& request) {
 
 double travel_mm(const ImportReport& report) { return report.button.states().front().graph.travel_mm(); }
 
+/// An empty plot of 0 to 1 mm and 0 to 5 N, and its places: 0 to 1 along both axes.
+cv::Point placeOnPlot(double x, double y) {
+  return {static_cast<int>(100 + 600 * x), static_cast<int>(560 - 450 * y)};
+}
+cv::Mat emptyPlot() {
+  cv::Mat plot(640, 960, CV_8UC3, cv::Scalar::all(255));
+  const auto at = placeOnPlot;
+  const cv::Scalar black = cv::Scalar::all(0), grid = cv::Scalar::all(215);
+  for (int i = 0; i <= 5; ++i) {
+    cv::line(plot, at(0.2 * i, 0), at(0.2 * i, 1), grid);
+    cv::line(plot, at(0, 0.2 * i), at(1, 0.2 * i), grid);
+    cv::putText(plot, "0." + std::to_string(2 * i), at(0.2 * i, 0) + cv::Point(-16, 28),
+                cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1, cv::LINE_AA);
+    cv::putText(plot, std::to_string(i), at(0, 0.2 * i) + cv::Point(-26, 7), cv::FONT_HERSHEY_SIMPLEX, 0.6,
+                black, 1, cv::LINE_AA);
+  }
+  cv::rectangle(plot, at(1, 0) + cv::Point(-18, 10), at(1, 0) + cv::Point(24, 34), cv::Scalar::all(255), -1);
+  cv::putText(plot, "1.0", at(1, 0) + cv::Point(-16, 28), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
+              cv::LINE_AA);
+  cv::line(plot, at(0, 0), at(1, 0), black), cv::line(plot, at(0, 0), at(0, 1), black);
+  cv::putText(plot, "Travel [mm]", at(0.4, 0) + cv::Point(0, 60), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
+              cv::LINE_AA);
+  cv::putText(plot, "Force [N]", at(0, 1) + cv::Point(-60, -30), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
+              cv::LINE_AA);
+  return plot;
+}
+
+ImportSession sessionOf(const cv::Mat& plot) {
+  std::vector<unsigned char> bytes;
+  REQUIRE(cv::imencode(".png", plot, bytes));
+  auto session = ImportSession::fromBytes(std::move(bytes), "plot.png");
+  REQUIRE(session);
+  return std::move(session).value();
+}
+
 }  // namespace
 
 TEST_CASE("A hint runs the steps that depend on it and no others") {
@@ -279,39 +314,46 @@ TEST_CASE("A plot that imports at its own size imports scaled up to the most pix
 
 // The strokes of a key with two snaps cross; that they end in one point is drawn beyond the frame.
 TEST_CASE("Strokes that resemble two switches' within the frame are followed beyond it first") {
-  cv::Mat plot(640, 960, CV_8UC3, cv::Scalar::all(255));
-  const auto at = [](double x, double y) {
-    return cv::Point(static_cast<int>(100 + 600 * x), static_cast<int>(560 - 450 * y));
-  };
-  const cv::Scalar black = cv::Scalar::all(0), grid = cv::Scalar::all(215);
-  for (int i = 0; i <= 5; ++i) {
-    cv::line(plot, at(0.2 * i, 0), at(0.2 * i, 1), grid);
-    cv::line(plot, at(0, 0.2 * i), at(1, 0.2 * i), grid);
-    cv::putText(plot, "0." + std::to_string(2 * i), at(0.2 * i, 0) + cv::Point(-16, 28),
-                cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1, cv::LINE_AA);
-    cv::putText(plot, std::to_string(i), at(0, 0.2 * i) + cv::Point(-26, 7), cv::FONT_HERSHEY_SIMPLEX, 0.6,
-                black, 1, cv::LINE_AA);
-  }
-  cv::rectangle(plot, at(1, 0) + cv::Point(-18, 10), at(1, 0) + cv::Point(24, 34), cv::Scalar::all(255), -1);
-  cv::putText(plot, "1.0", at(1, 0) + cv::Point(-16, 28), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
-              cv::LINE_AA);
-  cv::line(plot, at(0, 0), at(1, 0), black), cv::line(plot, at(0, 0), at(0, 1), black);
-  cv::putText(plot, "Travel [mm]", at(0.4, 0) + cv::Point(0, 60), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
-              cv::LINE_AA);
-  cv::putText(plot, "Force [N]", at(0, 1) + cv::Point(-60, -30), cv::FONT_HERSHEY_SIMPLEX, 0.6, black, 1,
-              cv::LINE_AA);
+  cv::Mat plot = emptyPlot();
+  const auto at = placeOnPlot;
   const std::vector<cv::Point> down{at(0, 0),      at(0.2, 0.35),  at(0.5, 0.6),  at(0.62, 0.3),
                                     at(0.9, 0.55), at(1.01, 0.66), at(1.08, 0.95)},
       up{at(0, 0),      at(0.15, 0.22), at(0.42, 0.42), at(0.5, 0.25),
          at(0.6, 0.37), at(0.9, 0.46),  at(1.04, 0.55), at(1.08, 0.95)};
   cv::polylines(plot, up, false, {200, 60, 20}, 2, cv::LINE_AA);
   cv::polylines(plot, down, false, {30, 30, 210}, 2, cv::LINE_AA);
-  std::vector<unsigned char> bytes;
-  REQUIRE(cv::imencode(".png", plot, bytes));
-  auto session = ImportSession::fromBytes(std::move(bytes), "plot.png");
-  REQUIRE(session);
-  const ImportReport report = imported(*session, firstGraph());
+  ImportSession session = sessionOf(plot);
+  const ImportReport report = imported(session, firstGraph());
   CHECK(travel_mm(report) == Approx(1.08).margin(0.02));
+}
+
+TEST_CASE("A press given by hand does not make another switch's press its release") {
+  cv::Mat plot = emptyPlot();
+  const auto at = placeOnPlot;
+  const auto curve = [&](const std::vector<cv::Point>& points, const cv::Scalar& color) {
+    cv::polylines(plot, points, false, color, 2, cv::LINE_AA);
+  };
+  const std::vector<cv::Point> upper{at(0, 0), at(0.2, 0.45), at(0.5, 0.6), at(0.7, 0.55), at(0.82, 0.95)};
+  curve({at(0, 0), at(0.15, 0.2), at(0.45, 0.35), at(0.6, 0.25), at(0.9, 0.4), at(0.98, 0.8)}, {200, 60, 20});
+  curve(upper, {30, 30, 210});
+  ImportSession session = sessionOf(plot);
+  ImportRequest request = firstGraph();
+  request.asks = true;
+  for (const cv::Point& p : upper) request.hints.drawn.press.push_back({double(p.x), double(p.y)});
+  const ImportAttempt attempt = session.attempt(request);
+  REQUIRE_FALSE(attempt.report.ok());
+  INFO(attempt.report.failure().sentence());
+  CHECK(attempt.report.failure().remedies.include(RemedyKind::noRelease));
+  REQUIRE(attempt.question);
+  CHECK(attempt.question->choices.back().option == "--no-release");
+  for (const Choice& choice : attempt.question->choices) {
+    CAPTURE(choice.option);
+    ImportRequest answered = request;
+    REQUIRE(takeUp(choice, answered.hints));
+    const ImportReport report = imported(session, answered);
+    CHECK(report.release.has_value() == (choice.option != "--no-release"));
+    CHECK(travel_mm(report) == Approx(0.82).margin(0.02));
+  }
 }
 
 TEST_CASE("A scanner's grain is seen where a large plot is read from averaged pixels") {

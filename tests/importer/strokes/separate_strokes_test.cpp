@@ -131,6 +131,49 @@ TEST_CASE("What the tracer settled is kept", "[strokes]") {
   CHECK(found->value.press.points_px[100] == traces[1].points_px[100]);
 }
 
+TEST_CASE("Evidence says whether the tracer or a person named the strokes", "[strokes]") {
+  struct Row {
+    Rgb pressColor;
+    EvidenceCode says, saysNot;
+  };
+  for (const Row& row :
+       {Row{{0, 0, 255}, EvidenceCode::distinguishedByPath, EvidenceCode::distinguishedByHand},
+        Row{{255, 0, 0}, EvidenceCode::distinguishedByHand, EvidenceCode::distinguishedByPath}}) {
+    std::vector<CurveTrace> traces = {traced(0.1, row.pressColor), traced(-0.05)};
+    traces[0].stroke = Stroke::press;
+    const auto found = separate(traces);
+    REQUIRE(found.ok());
+    CHECK(rests(*found, row.says));
+    CHECK_FALSE(rests(*found, row.saysNot));
+  }
+}
+
+TEST_CASE("A person may say that a button has no release", "[strokes]") {
+  StrokeHints hints;
+  hints.noRelease = true;
+  struct Row {
+    const char* curves;
+    std::vector<CurveTrace> traces;
+    std::optional<Stroke> given;  // of the first curve
+  };
+  const std::vector<CurveTrace> twoSwitches{traced(0.1, {255, 0, 0}, 3), traced(-0.05)};
+  for (const Row& row :
+       {Row{"one", {traced(0.1)}, {}}, Row{"one, named by hand", {traced(0.1)}, Stroke::press},
+        Row{"two switches, one named by hand", twoSwitches, Stroke::press},
+        Row{"a loop", {traced(0.1), traced(-0.05)}, Stroke::press}}) {
+    CAPTURE(row.curves);
+    std::vector<CurveTrace> traces = row.traces;
+    traces[0].stroke = row.given;
+    const auto found = separateStrokes(traces, axes(), hints);
+    REQUIRE(found.ok());
+    CHECK_FALSE(found->value.release);
+    CHECK(found->value.press.points_px == traces[0].points_px);
+    CHECK(found->confidence > 0.9);
+  }
+  const auto unknown = separateStrokes(twoSwitches, axes(), hints);  // which of them is still a question
+  CHECK((!unknown.ok() || unknown->confidence < 0.5));
+}
+
 TEST_CASE("Exchanged by hand", "[strokes]") {
   const std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05)};
   const auto found = separate(traces, true);
