@@ -159,7 +159,7 @@ importer::ImportHints hintsFrom(const Corrections& corrections, const std::optio
   hints.axes.xUnit = corrections.xUnit, hints.axes.yUnit = corrections.yUnit;
   hints.trace = {corrections.pressColor, corrections.releaseColor, corrections.masks};
   hints.drawn = corrections.drawn;
-  hints.strokes = {corrections.swapStrokes, corrections.curve};
+  hints.strokes = {corrections.swapStrokes, corrections.curve, corrections.noRelease};
   hints.dpi = corrections.dpi;
   return hints;
 }

@@ -56,6 +56,7 @@ struct Corrections {
   std::vector<MarkCorrection>
       marks;  ///< in the order given; they are no hints, but applied to the result (mark_corrections.h)
   bool swapStrokes = false;
+  bool noRelease = false;                   ///< the page shows no release of this button
   bool xIsOther = false, yIsOther = false;  ///< the axis measures another quantity: nothing can be imported
   std::string
       /// the switch to be taken if the plot shows several, as StrokeHints::curve; empty: the only one

@@ -67,6 +67,7 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
                                 [isPress](Corrections& c) {
                                   (isPress ? c.pressColor : c.releaseColor).reset();
                                   (isPress ? c.drawn.press : c.drawn.release).clear();
+                                  if (!isPress) c.noRelease = false;
                                 });
   (isPress ? press_ : release_) = button;
   (isPress ? pressOrigin_ : releaseOrigin_) = origin;
@@ -131,7 +132,7 @@ void CurvesBox::follow(bool ofLog) {
   release_->setIcon(swatchOf(
       {given.releaseColor ? colorFrom(*given.releaseColor) : foundColor(Stroke::release)}, palette()));
   pressOrigin_->setOrigin(given.pressColor || !given.drawn.press.empty());
-  releaseOrigin_->setOrigin(given.releaseColor || !given.drawn.release.empty());
+  releaseOrigin_->setOrigin(given.releaseColor || !given.drawn.release.empty() || given.noRelease);
   swap_->setChecked(given.swapStrokes);
   const auto* strokes =
       graph && graph->good ? stepOf(graph->good->evidence, importer::ImportStep::strokes) : nullptr;

@@ -62,9 +62,10 @@ bool isGiven(RemedyKind correction, const Corrections& given) {
     case RemedyKind::giveYUnit:
       return given.yUnit.has_value();
     case RemedyKind::pickPress:
-      return given.pressColor.has_value();
+      return given.pressColor || !given.drawn.press.empty();
     case RemedyKind::pickRelease:
-      return given.releaseColor.has_value();
+    case RemedyKind::noRelease:
+      return given.releaseColor || !given.drawn.release.empty() || given.noRelease;
     case RemedyKind::drawPress:
       return !given.drawn.press.empty();
     case RemedyKind::chooseSwitch:
@@ -568,6 +569,8 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
       return view->setTool(PageToolKind::drawPress);
     case RemedyKind::chooseSwitch:
       return findings->focusSwitches();
+    case RemedyKind::noRelease:
+      return state.correct(tr("No release curve"), [](Corrections& c) { c.noRelease = true; });
     case RemedyKind::swapStrokes:
       return state.correct(tr("Swap press and release"),
                            [](Corrections& c) { c.swapStrokes = !c.swapStrokes; });

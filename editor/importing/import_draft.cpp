@@ -60,6 +60,7 @@ QJsonObject correctionsOf(const Corrections& c) {
   object["masks"] = masks;
   object["marks"] = marksOf(c.marks);
   object["swapStrokes"] = c.swapStrokes;
+  if (c.noRelease) object["noRelease"] = true;
   if (c.xIsOther) object["xIsOther"] = true;
   if (c.yIsOther) object["yIsOther"] = true;
   if (!c.curve.empty()) object["curve"] = QString::fromStdString(c.curve);
@@ -160,6 +161,7 @@ class Reader {
     }
     c.marks = marks(object["marks"].toArray());
     c.swapStrokes = object["swapStrokes"].toBool();
+    c.noRelease = object["noRelease"].toBool();
     c.xIsOther = object["xIsOther"].toBool(), c.yIsOther = object["yIsOther"].toBool();
     c.curve = object["curve"].toString().toStdString();
     c.dpi = number(object, "dpi");

@@ -80,6 +80,7 @@ importer::ImportRequest requestAgain(const Provenance& provenance) {
   if (given(provenance, "--y-unit") && provenance.yAxis)
     hints.axes.yUnit = forceUnitFrom(provenance.yAxis->unit);
   hints.strokes.swap = given(provenance, "--swap-strokes").has_value();
+  hints.strokes.noRelease = given(provenance, "--no-release").has_value();
   hints.strokes.curve = given(provenance, "--curve").value_or("");
   return request;
 }

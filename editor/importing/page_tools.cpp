@@ -430,6 +430,7 @@ class DrawCurveTool : public PageTool {
     if (points_.size() < 2 || !view_.state().current()) return false;
     Corrections next = view_.shown();
     (stroke_ == Stroke::press ? next.drawn.press : next.drawn.release) = points_;
+    if (stroke_ == Stroke::release) next.noRelease = false;
     cancel();
     view_.setTool(PageToolKind::adjust);
     view_.state().apply(next, stroke_ == Stroke::press ? tr("Draw press curve") : tr("Draw release curve"));
@@ -457,6 +458,7 @@ class PipetteTool : public PageTool {
     if (!color || !view_.state().current()) return false;
     Corrections next = view_.shown();
     (stroke_ == Stroke::press ? next.pressColor : next.releaseColor) = rgbOf(*color);
+    if (stroke_ == Stroke::release) next.noRelease = false;
     view_.setTool(PageToolKind::adjust);
     view_.state().apply(next, stroke_ == Stroke::press ? tr("Pick press curve") : tr("Pick release curve"));
     return true;
