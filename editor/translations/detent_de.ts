@@ -2665,10 +2665,6 @@ Lizenz: %3</translation>
         <translation>Um den Punkt zu setzen, klicken Sie mit der rechten Maustaste auf seine Stelle der Kurve.</translation>
     </message>
     <message>
-        <source>If the page shows a release, use “Draw release”.</source>
-        <translation>Wenn die Seite einen Rückweg zeigt, verwenden Sie „Rückweg zeichnen“.</translation>
-    </message>
-    <message>
         <source>piece between curve points %1 and %2</source>
         <translation>Stück zwischen den Kurvenpunkten %1 und %2</translation>
     </message>
@@ -2727,10 +2723,6 @@ Lizenz: %3</translation>
     <message>
         <source>slope %1</source>
         <translation>Steigung %1</translation>
-    </message>
-    <message>
-        <source>which curve is the press</source>
-        <translation>welche Kurve ist der Druck</translation>
     </message>
     <message>
         <source>their mean</source>
@@ -2915,6 +2907,26 @@ Lizenz: %3</translation>
     <message>
         <source>(Peak force − valley force) / peak force. The tactile point stays, the valley moves.</source>
         <translation>(Spitzenkraft − Talkraft) / Spitzenkraft. Der Druckpunkt bleibt, das Tal wandert.</translation>
+    </message>
+    <message>
+        <source>state that the page shows no release of this button</source>
+        <translation>angeben, dass die Seite keinen Rückweg dieses Tasters zeigt</translation>
+    </message>
+    <message>
+        <source>No release curve</source>
+        <translation>Keine Rückwegkurve</translation>
+    </message>
+    <message>
+        <source>which curves are press and release</source>
+        <translation>welche Kurven sind Hinweg und Rückweg</translation>
+    </message>
+    <message>
+        <source>which curve is the release</source>
+        <translation>welche Kurve ist der Rückweg</translation>
+    </message>
+    <message>
+        <source>this button has no release</source>
+        <translation>dieser Taster hat keinen Rückweg</translation>
     </message>
 </context>
 <context>
@@ -6260,6 +6272,10 @@ Lizenz: %3</translation>
     <message>
         <source>&amp;Import %1 buttons</source>
         <translation>%1 Taster &amp;importieren</translation>
+    </message>
+    <message>
+        <source>No release curve</source>
+        <translation>Keine Rückwegkurve</translation>
     </message>
 </context>
 <context>
@@ -9776,10 +9792,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Hinweg geht bis %1 hinab, unter null</translation>
     </message>
     <message>
-        <source>press and release coincide over most of their length, or one jumps to the other and back</source>
-        <translation>Hinweg und Rückweg fallen über den größten Teil ihrer Länge zusammen, oder einer springt auf den anderen und zurück</translation>
-    </message>
-    <message>
         <source>more than half of a curve is parallel to an axis, as gridlines are</source>
         <translation>mehr als die Hälfte einer Kurve liegt parallel zu einer Achse, wie Gitterlinien</translation>
     </message>
@@ -9790,10 +9802,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the press force falls at its start or end; perhaps an edge of the frame was traced, or a magnet pulls</source>
         <translation>die Kraft des Hinwegs fällt an seinem Anfang oder Ende; vielleicht wurde eine Kante des Rahmens abgelesen, oder ein Magnet zieht</translation>
-    </message>
-    <message>
-        <source>the release lies above the press over %1 of their travel</source>
-        <translation>der Rückweg liegt auf %1 des gemeinsamen Wegs über dem Hinweg</translation>
     </message>
     <message>
         <source>a curve is cut off at the edge of the picture</source>
@@ -10312,10 +10320,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Sie installieren (unter Debian: libzip4) oder die Tabelle als CSV speichern</translation>
     </message>
     <message>
-        <source>only the press was drawn by hand: the button has no release</source>
-        <translation>nur der Hinweg wurde von Hand gezeichnet: Der Taster hat keinen Rückweg</translation>
-    </message>
-    <message>
         <source>the page states an operating point, but it could not be placed on the curve</source>
         <translation>die Seite nennt einen Schaltpunkt, er ließ sich aber nicht auf die Kurve setzen</translation>
     </message>
@@ -10430,10 +10434,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1 of the 4 edges of the frame are drawn, with %2 vertical and %3 horizontal lines or ticks</source>
         <translation>%1 der 4 Kanten des Rahmens sind gezeichnet, mit %2 senkrechten und %3 waagrechten Linien oder Skalenstrichen</translation>
-    </message>
-    <message>
-        <source>press and release are drawn as one loop, whose course tells which part is which</source>
-        <translation>Hin- und Rückweg sind als eine Schleife gezeichnet, deren Verlauf zeigt, welcher Teil welcher ist</translation>
     </message>
     <message>
         <source>the legend names press and release</source>
@@ -10630,6 +10630,30 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the title of the %1 axis prints the factor %2; %3</source>
         <translation>im Titel der %1-Achse steht der Faktor %2; %3</translation>
+    </message>
+    <message>
+        <source>both curves have one colour, and their course tells which is the press</source>
+        <translation>beide Kurven haben eine Farbe, und ihr Verlauf zeigt, welche der Hinweg ist</translation>
+    </message>
+    <message>
+        <source>the press or the release was given by hand</source>
+        <translation>der Hinweg oder der Rückweg wurde von Hand angegeben</translation>
+    </message>
+    <message>
+        <source>the curve that would be the release lies above the press over %1 of their travel</source>
+        <translation>die Kurve, die der Rückweg wäre, liegt auf %1 des gemeinsamen Wegs über dem Hinweg</translation>
+    </message>
+    <message>
+        <source>the curves that would be press and release run along each other, or one jumps to the other and back</source>
+        <translation>die Kurven, die Hinweg und Rückweg wären, verlaufen aufeinander, oder eine springt auf die andere und zurück</translation>
+    </message>
+    <message>
+        <source>imported without a release: none was given by hand beside the press</source>
+        <translation>ohne Rückweg importiert: Neben dem Hinweg wurde keiner von Hand angegeben</translation>
+    </message>
+    <message>
+        <source>no curve beside the press has the colour %1 that was given for the release</source>
+        <translation>keine Kurve neben dem Hinweg hat die Farbe %1, die für den Rückweg angegeben wurde</translation>
     </message>
 </context>
 <context>
