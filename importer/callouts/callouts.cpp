@@ -218,11 +218,11 @@ bool axisParallel(Point a, Point b) {
   return std::min(dx, dy) < 0.06 * std::max(dx, dy);
 }
 
-/// Returns true where the force rises as a wall: at the bottom-out no contact changes any more, and a word may
+/// Returns true where the force rises upright: at the bottom-out no contact changes any more, and a word may
 /// touch it.
-bool isOnWall(const StrokePoints& stroke, std::size_t i) {
+bool isUpright(const StrokePoints& stroke, std::size_t i) {
   constexpr std::size_t beside = 4;  // points
-  constexpr double steep = 5;
+  constexpr double steep = 5;        // pixels up for one across
   const std::size_t last = stroke.points_px.size() - 1;
   const Point a = stroke.points_px[i - std::min(i, beside)], b = stroke.points_px[std::min(last, i + beside)];
   return (b.x - a.x) * (b.y - a.y) <= 0 && std::abs(b.y - a.y) > steep * std::abs(b.x - a.x);
@@ -235,7 +235,7 @@ std::optional<Callout> follow(const Phrase& phrase, const MarkTest& marks, const
   double bestScore = 0;
   for (std::size_t i = 0; i < stroke.points_px.size(); i += 2) {
     const Point target = stroke.points_px[i];
-    if (isOnWall(stroke, i)) continue;
+    if (isUpright(stroke, i)) continue;
     for (const Point& anchor : anchors) {
       const double length = distance(anchor, target);
       if (length < 0.8 * height || length > 14 * height || axisParallel(anchor, target)) continue;

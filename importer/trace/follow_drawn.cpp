@@ -115,8 +115,8 @@ Color3 medianOf(std::vector<Color3> colors) {
   return {median(&Color3::r), median(&Color3::g), median(&Color3::b)};
 }
 
-/// Colours of a curve and of the paper around it.
-struct Ink {
+/// The colour that a curve is drawn in, and the paper around it.
+struct Pen {
   Color3 paper, color;
   /// 1 the curve, 0 the paper; other colours count by their similarity.
   double coverage(Color3 c) const {
@@ -133,9 +133,9 @@ void visitAround(Point p, double reach_px, const Visit& visit) {
         visit(Point{p.x + dx, p.y + dy}, 1 - d / reach_px);
 }
 
-/// The ink beside the drawn points. Each has the colour near it that differs most from the paper; of these the
-/// one that all others are nearest to. nullopt on bare paper.
-std::optional<Ink> inkBeside(const Raster& raster, const std::vector<Point>& drawn, double reach_px) {
+/// The pen that drew the curve beside the drawn points. Each point has the colour near it that differs most
+/// from the paper; of these the one that all others are nearest to. nullopt on bare paper.
+std::optional<Pen> penBeside(const Raster& raster, const std::vector<Point>& drawn, double reach_px) {
   std::vector<Color3> all, strongest;
   for (const Point& p : drawn)
     visitAround(p, reach_px, [&](Point at, double) { all.push_back(colorBetween(raster, at)); });
@@ -155,23 +155,23 @@ std::optional<Ink> inkBeside(const Raster& raster, const std::vector<Point>& dra
     return sum;
   };
   const auto middle = std::ranges::min_element(strongest, {}, apart);
-  return middle != strongest.end() ? std::optional(Ink{paper, *middle}) : std::nullopt;
+  return middle != strongest.end() ? std::optional(Pen{paper, *middle}) : std::nullopt;
 }
 
 /// The place within reach of a drawn point that is most of the curve and near; the point itself on paper.
-Point onCurve(const Raster& raster, const Ink& ink, Point drawn, double reach_px) {
+Point onCurve(const Raster& raster, const Pen& pen, Point drawn, double reach_px) {
   Point best = drawn;
   double most = clearCoverage;
   visitAround(drawn, reach_px, [&](Point at, double near) {
-    const double score = (0.5 + 0.5 * near) * ink.coverage(colorBetween(raster, at));
+    const double score = (0.5 + 0.5 * near) * pen.coverage(colorBetween(raster, at));
     if (score > most) most = score, best = at;
   });
   return best;
 }
 
-/// The way between two places with the most ink for its length, pixel by pixel, without its end. Empty if it
+/// The way between two places with the most of the curve for its length, pixel by pixel, without its end. Empty if it
 /// runs over paper for the most part, and if a place is outside the picture.
-std::vector<Point> wayOnInk(const Raster& raster, const Ink& ink, Point from, Point to, double reach_px) {
+std::vector<Point> wayOnCurve(const Raster& raster, const Pen& pen, Point from, Point to, double reach_px) {
   constexpr double aside = 0.5;  // distances of the two places; a curve between them stays within
   const double margin_px = 2 * reach_px + aside * distance(from, to);
   const auto cut = [](double at_px, int size_px) {
@@ -207,7 +207,7 @@ std::vector<Point> wayOnInk(const Raster& raster, const Ink& ink, Point from, Po
       for (int dx = -1; dx <= 1; ++dx) {
         if ((dx == 0 && dy == 0) || x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= height) continue;
         const int next = node.place + dy * width + dx;
-        const double paper = 1 - ink.coverage(colorAt(raster, x0 + x + dx, y0 + y + dy));
+        const double paper = 1 - pen.coverage(colorAt(raster, x0 + x + dx, y0 + y + dy));
         const double cost = node.cost + std::hypot(dx, dy) * (wayCost + paper);
         if (cost >= costs[static_cast<std::size_t>(next)]) continue;
         costs[static_cast<std::size_t>(next)] = cost;
@@ -220,7 +220,7 @@ std::vector<Point> wayOnInk(const Raster& raster, const Ink& ink, Point from, Po
   for (int at = cameFrom[static_cast<std::size_t>(goal)]; at >= 0;
        at = cameFrom[static_cast<std::size_t>(at)]) {
     way.push_back({static_cast<double>(x0 + at % width), static_cast<double>(y0 + at / width)});
-    covered += ink.coverage(colorAt(raster, x0 + at % width, y0 + at / width));
+    covered += pen.coverage(colorAt(raster, x0 + at % width, y0 + at / width));
   }
   if (covered < clearCoverage * static_cast<double>(way.size())) return {};
   std::ranges::reverse(way);
@@ -241,12 +241,12 @@ std::vector<Point> withoutSteps(const std::vector<Point>& line) {
 }
 
 /// The drawn line on the curve's pixels, piece by piece.
-std::vector<Point> lineOnInk(const Raster& raster, const Ink& ink, const std::vector<Point>& drawn,
-                             double reach_px) {
+std::vector<Point> lineOnCurve(const Raster& raster, const Pen& pen, const std::vector<Point>& drawn,
+                               double reach_px) {
   std::vector<Point> line, snapped;
-  for (const Point& p : drawn) snapped.push_back(onCurve(raster, ink, p, reach_px));
+  for (const Point& p : drawn) snapped.push_back(onCurve(raster, pen, p, reach_px));
   for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
-    std::vector<Point> way = wayOnInk(raster, ink, snapped[i], snapped[i + 1], reach_px);
+    std::vector<Point> way = wayOnCurve(raster, pen, snapped[i], snapped[i + 1], reach_px);
     if (way.empty()) way = smoothPiece(drawn, i);
     line.insert(line.end(), way.begin(), way.end());
   }
@@ -307,8 +307,8 @@ double centred(const Band& band, const std::vector<double>& coverage, std::size_
 std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& drawn_px, double reach_px) {
   const std::vector<Point> drawn = withoutRepeatedPoints(drawn_px);
   if (drawn.size() < 2) return {};
-  const std::optional<Ink> ink = raster.empty() ? std::nullopt : inkBeside(raster, drawn, reach_px);
-  if (!ink) {
+  const std::optional<Pen> pen = raster.empty() ? std::nullopt : penBeside(raster, drawn, reach_px);
+  if (!pen) {
     std::vector<Point> line;
     for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
       const std::vector<Point> piece = smoothPiece(drawn, i);
@@ -317,10 +317,10 @@ std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& d
     line.push_back(drawn.back());
     return line;
   }
-  const std::vector<Point> line = lineOnInk(raster, *ink, drawn, reach_px);
+  const std::vector<Point> line = lineOnCurve(raster, *pen, drawn, reach_px);
   const Band band = bandAlong(raster, line, reach_px);
   std::vector<double> coverage;
-  for (const Color3& color : band.colors) coverage.push_back(ink->coverage(color));
+  for (const Color3& color : band.colors) coverage.push_back(pen->coverage(color));
   const std::vector<std::size_t> path = bestPath(band, coverage);
   std::vector<Point> followed;
   followed.reserve(line.size());

@@ -51,12 +51,12 @@ class NamedPoint {
   /// Lets the press rise upright from its end to a row.
   void bottomOut(double top) {
     StrokePoints& press = strokes_.press;
-    const Point foot = press.points_px.back();
-    for (double y = foot.y; y >= top; y -= 1) {
-      press.points_px.push_back({foot.x, y});
-      press.points.push_back({foot.x / 100, (310 - y) / 100});
+    const Point corner = press.points_px.back();
+    for (double y = corner.y; y >= top; y -= 1) {
+      press.points_px.push_back({corner.x, y});
+      press.points.push_back({corner.x / 100, (310 - y) / 100});
     }
-    line(foot, {foot.x, top});
+    line(corner, {corner.x, top});
   }
 
   /// Keeps the ends of the press and a point of its straight way, as a document may draw it.
