@@ -205,7 +205,7 @@ TEST_CASE("a button with graphs at several speeds is not uploaded, with the way 
   CHECK_FALSE(run.ranTable());
   CHECK_THAT(run.ran.said,
              Catch::Contains("can hold the force of only one speed; this button has graphs at 3") &&
-                 Catch::Contains("convert --speed"));
+                 Catch::Contains("detent-graph convert makes one"));
 }
 
 TEST_CASE("uploaded, by the host and simulated: the same force under the same limits", "[upload]") {
