@@ -260,6 +260,7 @@ def read(
     mask: Iterable[Sequence[float]] = (),
     dpi: float | None = None,
     swap_strokes: bool = False,
+    no_release: bool = False,
 ) -> Button:
     """Reads the force graph of a button from a picture, a PDF or SVG page, or a force meter's log.
 
@@ -278,6 +279,7 @@ def read(
     mask: boxes (x0, y0, x1, y1) to leave out, page units.
     dpi: at which documents are rendered.
     swap_strokes: press and release the other way round.
+    no_release: the plot shows no release of this button.
 
     Raises WrongUsage, UnreadableInput, NoForceGraph, NotCertain.
     """

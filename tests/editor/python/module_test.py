@@ -7,6 +7,7 @@ import importlib.util
 import json
 import os
 import pickle
+import random
 import re
 import shutil
 import signal
@@ -147,30 +148,35 @@ class Reading(unittest.TestCase):
             self.assertIn("3/3", ran.stderr)
 
     def test_control_c_ends_many(self):
-        pipe = self.folder / "page.csv"
-        os.mkfifo(pipe)
+        page = self.long_page()
         threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
         begun = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
-            list(detent.import_many([pipe], jobs=2))
+            list(detent.import_many([page], jobs=2))
         self.assertLess(time.monotonic() - begun, 1.5)
 
     def test_control_c_ends_a_read_within_half_a_second(self):
-        pipe = self.folder / "page.csv"
-        os.mkfifo(pipe)  # never written to: a read that lasts as long as it is let
+        page = self.long_page()
         threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
         begun = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
-            detent.read(pipe)
+            detent.read(page)
         self.assertLess(time.monotonic() - begun, 1.5)
 
+    def long_page(self):
+        """A picture of noise, in which a graph is sought for several seconds."""
+        page = self.folder / "page.png"
+        noise = random.Random(1)
+        page.write_bytes(grey_png(4000, 3000, lambda width: noise.randbytes(width)))
+        return page
 
-def grey_png(width, height):
-    """A picture without a graph."""
+
+def grey_png(width, height, row=lambda width: b"\x80" * width):
+    """A picture without a graph. `row`: gives the pixels of the next row."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) + \
-        chunk(b"IDAT", zlib.compress((b"\0" + b"\x80" * width) * height)) + chunk(b"IEND", b"")
+        chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row(width) for _ in range(height)), 1)) + chunk(b"IEND", b"")
 
 
 class Refusals(unittest.TestCase):
