@@ -363,8 +363,7 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   if (chosenTraces.size() == 1 && switches.size() > 1 && !strokes.front().stroke &&
       strokes.front().label.find(kLabelParting) != std::string::npos)
     return tooMany(traces);
-  // A person's word that there is no release settles whose it would be.
-  const double sure = hints.noRelease ? 1 : switches[*chosen].sure;
+  const double sure = switches[*chosen].sure;
   auto found = chosenTraces.size() > 1 ? pairOf(strokes[0], strokes[1], axes, hints.swap, sure)
                : hints.noRelease       ? pressWithoutRelease(strokes.front(), axes)
                                        : pressAlone(strokes.front(), axes);

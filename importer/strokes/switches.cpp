@@ -49,8 +49,9 @@ PlotSwitch switchOf(const Pairing& pairing, const std::vector<CurveTrace>& trace
   found.releaseColor = release.color;
   found.name = switchNamedBy(press.label);
   if (found.name.empty()) found.name = switchNamedBy(release.label);
-  // words for strokes in an unlisted language
-  if (mayNameAStroke(press.label) && mayNameAStroke(release.label)) found.name.clear();
+  // words for strokes in an unlisted language; one colour has one name, that of its switch
+  if (press.color != release.color && mayNameAStroke(press.label) && mayNameAStroke(release.label))
+    found.name.clear();
   return found;
 }
 

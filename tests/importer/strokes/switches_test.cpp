@@ -129,6 +129,21 @@ TEST_CASE("Loops that the tracer parted in colours of their own need no legend",
   CHECK(switchesAmong(traces).size() == 2);
 }
 
+TEST_CASE("Loops in one colour each have the name of their legend entry", "[switches]") {
+  std::vector<CurveTrace> traces;
+  for (const auto& [name, row] : {std::pair("Alpha", 0), {"Beta", 1}}) {
+    std::vector<CurveTrace> strokes =
+        loop(40 + 20 * row, 250 + 40 * row, 15, static_cast<std::uint8_t>(1 + 10 * row));
+    strokes[1].color = strokes[0].color;
+    strokes[0].stroke = Stroke::press, strokes[1].stroke = Stroke::release;
+    for (CurveTrace& stroke : strokes) {
+      stroke.label = name, stroke.labelBox_px = {400, 10.0 + 20 * row, 460, 22.0 + 20 * row};
+      traces.push_back(stroke);
+    }
+  }
+  CHECK(namesOf(switchesAmong(traces)) == Names{"Alpha", "Beta"});
+}
+
 TEST_CASE("Names that a program gives part no strokes of a loop, and join no curves that close none",
           "[switches]") {
   std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
