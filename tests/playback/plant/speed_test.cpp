@@ -194,7 +194,7 @@ TEST_CASE("a family that would feed the handle is refused with the place, the sp
   CHECK_THAT(sentence(family({dome(0.8, 0.6), dome(0.4, 0.1)}, {10, 100})),
              Catch::Contains("the release at 10 mm/s lies up to") &&
                  Catch::Contains("above the press at 100 mm/s") && Catch::Contains("mJ a press") &&
-                 Catch::Contains("convert --speed"));
+                 Catch::Contains("detent-graph convert makes one"));
   // Every press above every release, but weaker the faster: a damper turned round.
   CHECK_THAT(sentence(family({dome(1.1, 0.2), dome(0.8, 0.15)}, {10, 60})),
              Catch::Contains("from 10 to 60 mm/s the force drives the handle by 0.006 N·s/mm at 1.00 mm; "
