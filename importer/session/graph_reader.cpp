@@ -146,10 +146,12 @@ std::optional<Failure> ofOtherQuantities(const LocatedGraph& graph) {
 }
 
 /// The reason why curves make no pair: with a second scale of forces it is that scale, and colours that tell
-/// press from release do not tell which scale is theirs.
-Failure ofTwoScales(const Failure& noPair, const LocatedGraph& graph) {
-  if (noPair.reason != nameOf(DoubtCode::tooManyCurves) || graph.axes.rightScale != RightScale::otherForces)
-    return noPair;
+/// press from release do not tell which scale is theirs, nor do switches that no legend names.
+Failure ofTwoScales(const Failure& noPair, const std::vector<CurveTrace>& curves, const LocatedGraph& graph) {
+  const bool unnamed = std::ranges::all_of(curves, [](const CurveTrace& each) { return each.label.empty(); });
+  const bool isOfCurves = noPair.reason == nameOf(DoubtCode::tooManyCurves) ||
+                          (unnamed && noPair.reason == nameOf(DoubtCode::severalSwitches));
+  if (!isOfCurves || graph.axes.rightScale != RightScale::otherForces) return noPair;
   return failureOf({DoubtCode::otherScale, {Message("it also measures forces")}, graphWithOneScale()},
                    noPair.subject, noPair.place);
 }
@@ -305,7 +307,8 @@ ImportAttempt GraphReader::readChosen(ChosenGraph& choice, const ImportRequest& 
     curves = &wider->curves;
     strokes = std::move(wider->strokes);
   }
-  if (!strokes) return stopped(ofTwoScales(strokes.failure(), graph), choice, **curves, explanation);
+  if (!strokes)
+    return stopped(ofTwoScales(strokes.failure(), **curves, graph), choice, **curves, explanation);
   if (request.timeLimit && request.timeLimit->passed()) settings = cutShort(settings);
 
   step(0.75, ImportStep::refine);
