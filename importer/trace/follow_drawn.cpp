@@ -219,8 +219,9 @@ std::vector<Point> wayOnCurve(const Raster& raster, const Pen& pen, Point from, 
   double covered = 0;
   for (int at = cameFrom[static_cast<std::size_t>(goal)]; at >= 0;
        at = cameFrom[static_cast<std::size_t>(at)]) {
-    way.push_back({static_cast<double>(x0 + at % width), static_cast<double>(y0 + at / width)});
-    covered += pen.coverage(colorAt(raster, x0 + at % width, y0 + at / width));
+    const int x = x0 + at % width, y = y0 + at / width;
+    way.push_back({static_cast<double>(x), static_cast<double>(y)});
+    covered += pen.coverage(colorAt(raster, x, y));
   }
   if (covered < clearCoverage * static_cast<double>(way.size())) return {};
   std::ranges::reverse(way);
