@@ -312,8 +312,11 @@ void readGraphTexts(const PageView& seenView, const PlotFrame& frame, AxesFound&
   cv::Mat d = darknessOf(seenView.raster, frame.paper);
   const int grid = gridDarkness(d, frame);
   // Text darker than the grid is separated by its darkness.
-  std::optional<PageView> cleared;
-  if (grid >= 150) clearGrid((cleared = seenView)->raster, d, frame);
+  std::optional<PageView> cleared;  // its pixels alone: paths and texts of a page may be many
+  if (grid >= 150) {
+    cleared.emplace().raster = seenView.raster;
+    clearGrid(cleared->raster, d, frame);
+  }
   const PageView& view = cleared ? *cleared : seenView;
   const cv::Mat darkMarks = grid > 0 && grid < 150 ? marksAbove(d, grid + 30) : darkMaskOf(d);
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
