@@ -225,7 +225,8 @@ void putPointsBack(AxisLabels& found, std::vector<LabelPlace>& positions, const 
 }
 
 /// Accepts numbers that fall to the right or upwards only if all numbers of a row agree, at least four, each
-/// at its tick. The other axis' zero in the corner beside them belongs to no scale that falls, and is dropped.
+/// at its tick. The other axis' zero in the corner beside them belongs to no scale that falls, and is
+/// dropped.
 std::optional<Progression> fallingProgression(std::vector<LabelPlace>& positions,
                                               const std::vector<GridLine>& ticks, Axis axis) {
   constexpr int fewest = 4;

@@ -43,7 +43,8 @@ double stepOf(const std::vector<std::pair<double, double>>& labels) {
 constexpr double fits = 0.03;
 constexpr std::size_t fewestOfUneven = 5;  // labels: some three of any four nearly fit a line
 
-/// The labels in order of their places, without the zero in the corner that belongs to the other axis as well.
+/// The labels in order of their places, without the zero in the corner that belongs to the other axis as
+/// well.
 std::vector<std::pair<double, double>> withoutCorner(std::vector<std::pair<double, double>> labels) {
   constexpr std::size_t fewest = 4;
   std::ranges::sort(labels);

@@ -169,8 +169,8 @@ Point onCurve(const Raster& raster, const Pen& pen, Point drawn, double reach_px
   return best;
 }
 
-/// The way between two places with the most of the curve for its length, pixel by pixel, without its end. Empty if it
-/// runs over paper for the most part, and if a place is outside the picture.
+/// The way between two places with the most of the curve for its length, pixel by pixel, without its end.
+/// Empty if it runs over paper for the most part. A place outside the picture counts as the nearest in it.
 std::vector<Point> wayOnCurve(const Raster& raster, const Pen& pen, Point from, Point to, double reach_px) {
   constexpr double aside = 0.5;  // distances of the two places; a curve between them stays within
   const double margin_px = 2 * reach_px + aside * distance(from, to);
