@@ -110,7 +110,7 @@ PairShape shapeOf(const CurvePath& a, const CurvePath& b) {
   shape.topsApart = (b.room_px.y0 - a.room_px.y0) / height_px;
   shape.gap = gapAtTheEnds(a, b, room);
   const double from_px = std::max(a.room_px.x0, b.room_px.x0), to_px = std::min(a.room_px.x1, b.room_px.x1);
-  if (!(to_px > from_px)) return shape;
+  if (to_px - from_px < 1) return shape;  // not a pixel in common
   const std::vector<double> ofA = rowsOf(a, from_px, to_px), ofB = rowsOf(b, from_px, to_px);
   std::vector<double> higher_px;
   for (std::size_t i = rim; i < kCells - rim; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -16,6 +17,8 @@
 namespace detent::importer {
 
 namespace {
+
+bool isFinite(Point p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 /// Evidence that the first of two traces is the press, in log-odds; negative: the second is.
 struct Verdict {
@@ -35,7 +38,7 @@ StrokePoints inUnits(const CurveTrace& trace, const AxisCalibration& calibration
   stroke.fromVector = trace.fromVector;
   for (Point p : trace.points_px) {
     const Point q = calibration.toUnits(p);
-    if (!std::isfinite(q.x) || !std::isfinite(q.y)) continue;
+    if (!isFinite(q)) continue;
     stroke.points.push_back({q.x, q.y});
     stroke.points_px.push_back(p);
   }
@@ -323,6 +326,14 @@ StrokePoints strokeOf(const CurveTrace& trace, Stroke stroke, const AxisCalibrat
 
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
                                           const StrokeHints& hints) {
+  const auto hasNumbers = [](const CurveTrace& trace) {
+    return std::ranges::all_of(trace.points_px, isFinite);
+  };
+  if (!std::ranges::all_of(traces, hasNumbers)) {
+    std::vector<CurveTrace> finite = traces;
+    for (CurveTrace& trace : finite) std::erase_if(trace.points_px, std::not_fn(isFinite));
+    return separateStrokes(finite, axes, hints);
+  }
   const bool any = std::any_of(traces.begin(), traces.end(),
                                [](const CurveTrace& trace) { return trace.points_px.size() >= 2; });
   if (!any)

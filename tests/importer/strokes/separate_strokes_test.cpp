@@ -311,13 +311,27 @@ TEST_CASE("One curve is a press; none is no graph; many need a choice", "[stroke
 }
 
 TEST_CASE("A shorter release and points that are not finite", "[strokes]") {
-  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0}, 2.5)};
-  traces[0].points_px[7] = {std::numeric_limits<double>::quiet_NaN(), 100};
-  const auto found = separate(traces);
-  REQUIRE(found.ok());
-  for (const CurvePoint& p : found->value.press.points) CHECK(std::isfinite(p.displacement_mm));
-  CHECK(found->value.press.points.size() + 1 == traces[0].points_px.size());
-  CHECK(found->value.press.points_px.back() == traces[0].points_px.back());
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   infinite = std::numeric_limits<double>::infinity();
+  for (const Point bad : {Point{nan, 100}, {100, nan}, {infinite, 100}, {100, -infinite}, {nan, nan}})
+    for (const std::size_t at : {std::size_t{0}, std::size_t{7}, std::size_t{200}}) {
+      CAPTURE(bad.x, bad.y, at);
+      std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0}, 2.5)};
+      traces[0].points_px[at] = bad;
+      const auto found = separate(traces);
+      REQUIRE(found.ok());
+      REQUIRE(found->value.release);
+      for (const CurvePoint& p : found->value.press.points) CHECK(std::isfinite(p.displacement_mm));
+      CHECK(found->value.press.points.size() + 1 == traces[0].points_px.size());
+      CHECK(found->value.press.points_px.back() == traces[0].points_px.back());
+    }
+  std::vector<CurveTrace> traces = {traced(0.1), traced(-0.05, {255, 0, 0})};
+  for (Point& p : traces[1].points_px) p.y = nan;
+  const auto one = separate(traces);
+  REQUIRE(one.ok());
+  CHECK_FALSE(one->value.release);
+  CHECK(one->confidence > 0.8);
+  CHECK(separate({traces[1]}).failure().code == FailureCode::noForceGraph);
 }
 
 TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[strokes]") {
