@@ -267,13 +267,6 @@ bool endsInAFall(const StrokePoints& press) {
 bool implausibleTravel(double travel_mm) { return travel_mm > mostTravel_mm || travel_mm < leastTravel_mm; }
 bool implausibleForce(double force_N) { return force_N > mostForce_N || force_N < leastForce_N; }
 
-/// Remedies for an implausible size. A given unit does not guarantee that the numbers beside it were read
-/// correctly: if it was given and the size is still wrong, only the axis is left to ask for.
-Remedies sizeRemedies(bool unitGiven, RemedyKind giveUnit, RemedyKind giveAxis) {
-  const Remedy axis{giveAxis, "if it is"};
-  return unitGiven ? Remedies(axis) : Remedies{{giveUnit, "if it is another"}, axis};
-}
-
 /// Returns true if a press begins or pulls on the wrong side of zero, by more than noise.
 bool wrongSide(const Extent& travel) { return travel.low < -negativeShare * travel.span(); }
 bool pulls(const Extent& force) { return force.low < -2 * negativeShare * force.span(); }
@@ -416,13 +409,13 @@ class Doubts {
   /// that they have been. Without a unit or ends from the user the import does not rest on it.
   void factor(const AxisReading& axis, Axis which) {
     if (axis.factor == 1 || confirmedBySpec(checks_, which)) return;
-    const AxisHints& given = hints_.axes;
-    const bool isX = which == Axis::x, ends = isX ? given.xMin || given.xMax : given.yMin || given.yMax;
-    const bool unit = isX ? given.xUnit.has_value() : given.yUnit.has_value();
-    add(DoubtCode::factorPrinted, ends || unit ? inPart : unconfirmed,
+    const bool isX = which == Axis::x;
+    const bool given = isX ? hints_.axes.xMin || hints_.axes.xMax || hints_.axes.xUnit
+                           : hints_.axes.yMin || hints_.axes.yMax || hints_.axes.yUnit;
+    add(DoubtCode::factorPrinted, given ? inPart : unconfirmed,
         {isX ? "x" : "y", axis.factor,
-         ends ? Message("the given values were not multiplied by it")
-              : Message("the numbers along the axis were multiplied by it")},
+         axis.multiplied ? Message("the numbers along the axis were multiplied by it")
+                         : Message("the given values were not multiplied by it")},
         {{isX ? RemedyKind::giveXUnit : RemedyKind::giveYUnit, "if that is right"},
          {isX ? RemedyKind::giveXAxis : RemedyKind::giveYAxis, "if it is wrong"}});
   }
@@ -441,16 +434,26 @@ class Doubts {
   }
 
   void sizes() {
-    const AxisHints& given = hints_.axes;
     const double travel_mm = travelOf(findings_.strokes.value.press).high;
     const double force_N = forceOf(findings_.strokes.value.press).high;
-    const bool travelGiven = given.xMin && given.xMax;
-    if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, Axis::x))
-      add(DoubtCode::implausibleTravel, unconfirmed, {shownTravel(axes().x, travel_mm)},
-          sizeRemedies(given.xUnit.has_value(), RemedyKind::giveXUnit, RemedyKind::giveXAxis));
-    if (implausibleForce(force_N) && !given.yMin && !confirmedBySpec(checks_, Axis::y))
-      add(DoubtCode::implausibleForce, unconfirmed, {shownForce(axes().y, force_N)},
-          sizeRemedies(given.yUnit.has_value(), RemedyKind::giveYUnit, RemedyKind::giveYAxis));
+    if (implausibleTravel(travel_mm) && !confirmedBySpec(checks_, Axis::x))
+      add(DoubtCode::implausibleTravel, ofSize(Axis::x), {shownTravel(axes().x, travel_mm)},
+          {{RemedyKind::giveXUnit, "if it is another"}, {RemedyKind::giveXAxis, "if it is"}});
+    if (implausibleForce(force_N) && !confirmedBySpec(checks_, Axis::y))
+      add(DoubtCode::implausibleForce, ofSize(Axis::y), {shownForce(axes().y, force_N)},
+          {{RemedyKind::giveYUnit, "if it is another"}, {RemedyKind::giveYAxis, "if it is"}});
+  }
+
+  bool endsGiven(Axis axis) const {
+    const AxisHints& given = hints_.axes;
+    return axis == Axis::x ? given.xMin && given.xMax : given.yMin && given.yMax;
+  }
+
+  /// Confidence in a size that no known button has. Given ends that the printed numbers have as well say
+  /// nothing new: a chart of something else is typed as it is printed, and so is a point that parts thousands.
+  double ofSize(Axis axis) const {
+    const AxisReading& reading = axis == Axis::x ? axes().x : axes().y;
+    return endsGiven(axis) && !reading.repeated ? inPart : unconfirmed;
   }
 
   void signs() {

@@ -514,7 +514,9 @@ void takeTitle(AxisCalibration& cal, Axis axis, const AxisTitle<Unit>& title, co
   reading.title = title.text;
   reading.factor = title.factor;
   reading.otherQuantity.clear();
-  if (!given.any()) multiply(cal, axis, title.factor);
+  if (given.any()) return;
+  multiply(cal, axis, title.factor);
+  reading.multiplied = true;
 }
 
 /// Box of an axis' labels; without labels its edge of the frame.
@@ -531,6 +533,7 @@ void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional
     const double atEnd = multiplierAtEnd(r, axis, labels);
     if (atEnd != 1) reading.factor = 1;
     multiply(cal, axis, atEnd * reading.factor);
+    reading.multiplied = true;
   };
   if (!hints.xMin && !hints.xMax) apply(cal.x, Axis::x, extentOf(x, {b.x0, b.y1, b.x1, b.y1 + 1}));
   if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
@@ -602,10 +605,12 @@ double printedPerGiven(const AxisReading& reading, const AxisLabels& labels, Axi
 }
 
 /// Compares ends that were given with the labels that agree with one another. Labels may be printed in
-/// another unit, in thousands or with a power of ten at the end of the axis.
-void compareWithLabels(AxisReading& reading, const GivenScale& given, GraphReading& r,
+/// another unit, in thousands or with a power of ten at the end of the axis. Ends that are the very numbers
+/// printed there are multiplied like them by the factor in the title.
+void compareWithLabels(AxisCalibration& cal, const GivenScale& given, GraphReading& r,
                        const std::optional<AxisLabels>& labels) {
   if (!hasProgression(labels)) return;
+  AxisReading& reading = given.axis == Axis::x ? cal.x : cal.y;
   const Progression& p = *labels->progression;
   const auto all = std::ranges::count_if(reading.ticks, &TickLabel::used);
   double factor = 1;
@@ -621,8 +626,13 @@ void compareWithLabels(AxisReading& reading, const GivenScale& given, GraphReadi
   trial(-1);  // sizes, beside numbers with a minus sign
   if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
   markAgreeing(reading, given, p, factor);
+  reading.repeated = most == all;
+  if (factor == 1 && reading.repeated) {
+    multiply(cal, given.axis, reading.factor);
+    reading.multiplied = true;
+  }
   if (factor == reading.factor) reading.factor = 1;
-  if (most == all) return;
+  if (reading.repeated) return;
   for (const TickLabel& tick : reading.ticks)
     if (tick.used && !tick.agrees) reading.contradicting.push_back(shownNumber(tick.value));
   const bool isX = given.axis == Axis::x;
@@ -714,8 +724,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   const GivenScale xScale{Axis::x, corners[3].x, corners[2].x, x},
       yScale{Axis::y, corners[0].y, corners[3].y, y};
-  if (xGiven.any()) compareWithLabels(cal.x, xScale, r, xLabels);
-  if (yGiven.any()) compareWithLabels(cal.y, yScale, r, yLabels);
+  if (xGiven.any()) compareWithLabels(cal, xScale, r, xLabels);
+  if (yGiven.any()) compareWithLabels(cal, yScale, r, yLabels);
   found.calibration.evidence = {evidenceOf(Axis::x, xLabels, cal.x, xGiven.range()),
                                 evidenceOf(Axis::y, yLabels, cal.y, yGiven.range())};
   for (const Axis axis : {Axis::x, Axis::y}) {

@@ -82,11 +82,36 @@ Failure noReleaseOfColour(Rgb color) {
       {{RemedyKind::pickRelease, {}}, {RemedyKind::noRelease, {}}}};
 }
 
+/// A failure if no curve has a colour that a person picked, beside a line or on a gridline.
+std::optional<Failure> colourWithoutCurve(const std::vector<CurveTrace>& curves, const ImportHints& hints) {
+  const auto isMissing = [&](const std::optional<Rgb>& color, Stroke stroke) {
+    return color && std::ranges::none_of(curves, [&](const CurveTrace& curve) {
+             return curve.points_px.size() >= 2 &&
+                    (curve.stroke == stroke || isSameColour(curve.color, *color));
+           });
+  };
+  const TraceHints& given = hints.trace;
+  Failure failure{FailureCode::notCertain, "plot frame", "", {}, {}};
+  if (isMissing(given.pressColor, Stroke::press)) {
+    failure.problem =
+        Message("no curve has the colour %1 that was given for the press", nameOf(*given.pressColor));
+    failure.remedies = RemedyKind::pickPress;
+  } else if (isMissing(given.releaseColor, Stroke::release)) {
+    failure.problem =
+        Message("no curve has the colour %1 that was given for the release", nameOf(*given.releaseColor));
+    failure.remedies = {{RemedyKind::pickRelease, {}}, {RemedyKind::noRelease, {}}};
+  } else {
+    return {};
+  }
+  return failure;
+}
+
 /// Press and release among the curves, with those that a person drew in place of traced ones. A drawn stroke
 /// is certain. The choice of the other one is as certain as it is beside the drawn one.
 Result<Found<StrokePair>> strokesOf(std::vector<CurveTrace> curves, const LocatedGraph& graph,
                                     const ImportHints& hints) {
   const AxisCalibration& axes = graph.axes.calibration.value;
+  if (auto failure = colourWithoutCurve(curves, hints)) return std::move(*failure);
   auto traced = strokesAmong(curves, graph, hints.strokes);
   const auto drawnAs = [&](const std::vector<Point>& line, Stroke stroke) {
     return strokeFromDrawn(line, stroke, graph.view, graph.frame.value, axes);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "importer/page/same_colour.h"
 #include "importer/trace/loop_crossing.h"
@@ -247,13 +249,17 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
   const PlotPlane plane(frame);
   if (plane.box.empty()) return {};
   std::map<LineStyle, std::vector<LinePiece>> styles;
+  const auto before = [](Point a, Point b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
+  const auto pathBefore = [&](const Polyline& a, const Polyline& b) {
+    return std::ranges::lexicographical_compare(a, b, before);
+  };
+  std::map<LineStyle, std::set<Polyline, decltype(pathBefore)>> drawn;
   for (LinePiece& piece : linePieces(view, plane, hints.masks_px)) {
     const LineStyle style{piece.color, piece.dashed};
     if (!wanted(style, hints)) continue;
     // A line drawn again over a fill that covered it is one line.
-    const bool again =
-        std::ranges::find(styles[style], piece.points, &LinePiece::points) != styles[style].end();
-    if (!again) styles[style].push_back(std::move(piece));
+    const bool isNew = drawn.try_emplace(style, pathBefore).first->second.insert(piece.points).second;
+    if (isNew) styles[style].push_back(std::move(piece));
   }
   std::vector<StyledStroke> strokes, shortOnes;
   for (auto& [style, pieces] : styles) {

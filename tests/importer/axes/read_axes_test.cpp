@@ -725,7 +725,9 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
   for (const Row& row : {Row{"read", "Load [x10 gf]", {}, {}, 1200, 10},
                          {"the unit given", "Load [x10 gf]", ForceUnit::gramForce, {}, 1200, 10},
                          {"in front of the unit", "Kraft in 0.1 N", ForceUnit::newton, {}, 12, 0.1},
-                         {"the top as printed", "Load [x10 gf]", ForceUnit::gramForce, 120, 120, 10},
+                         {"the ends as printed", "Load [x10 gf]", ForceUnit::gramForce, 120, 1200, 10},
+                         {"the ends as printed, without a unit", "Load [x10 gf]", {}, 120, 1200, 10},
+                         {"ends that no number agrees with", "Load [x10 gf]", {}, 75, 75, 10},
                          {"the top multiplied", "Load [x10 gf]", ForceUnit::gramForce, 1200, 1200, 1},
                          {"none", "Load [gf]", ForceUnit::gramForce, {}, 120, 1}}) {
     INFO(row.what);

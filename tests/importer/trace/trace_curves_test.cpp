@@ -104,27 +104,44 @@ class Plot {
   /// One stroke of a pen: exact coverage, painted over the picture. Clipped to the frame on request.
   void line(const Curve& points, double width, Rgb color, bool clipped = false, double opacity = 1) {
     Raster& r = view_.raster;
-    std::vector<float> coverage(static_cast<std::size_t>(r.width_px) * static_cast<std::size_t>(r.height_px),
-                                0);
     const double reach = 0.5 * width + 1;
+    const Box all = clipped ? box_ : Box{0, 0, r.width_px - 1.0, r.height_px - 1.0};
+    const auto pixelsAround = [&](double x0, double y0, double x1, double y1) {
+      const cv::Point2d from(std::ceil(std::max(all.x0, std::trunc(x0 - reach))),
+                             std::ceil(std::max(all.y0, std::trunc(y0 - reach))));
+      const cv::Point2d to(std::floor(std::min(all.x1, std::trunc(x1 + reach) + 1)) + 1,
+                           std::floor(std::min(all.y1, std::trunc(y1 + reach) + 1)) + 1);
+      return from.x < to.x && from.y < to.y ? cv::Rect(cv::Point(from), cv::Point(to)) : cv::Rect();
+    };
+    const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
+    const auto [top, lowest] = std::ranges::minmax(points, {}, &Point::y);
+    const cv::Rect touched = pixelsAround(left.x, top.y, right.x, lowest.y);
+    cv::Mat1f coverage(touched.size(), 0.0F);
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Point a = points[i - 1], b = points[i];
-      for (int y = std::max(0, static_cast<int>(std::min(a.y, b.y) - reach));
-           y <= std::min(r.height_px - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1); ++y)
-        for (int x = std::max(0, static_cast<int>(std::min(a.x, b.x) - reach));
-             x <= std::min(r.width_px - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1); ++x) {
-          if (clipped && (x < box_.x0 || x > box_.x1 || y < box_.y0 || y > box_.y1)) continue;
+      const cv::Rect pixels =
+          pixelsAround(std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y));
+      for (int y = pixels.y; y < pixels.br().y; ++y) {
+        float* const row = coverage.ptr<float>(y - touched.y);
+        for (int x = pixels.x; x < pixels.br().x; ++x) {
           const double d = toPiece({static_cast<double>(x), static_cast<double>(y)}, a, b);
-          float& c = coverage[static_cast<std::size_t>(y * r.width_px + x)];
+          float& c = row[x - touched.x];
           c = std::max(c, static_cast<float>(std::clamp(0.5 * width + 0.5 - d, 0.0, std::min(1.0, width))));
         }
+      }
     }
     const double colour[3] = {double(color.r), double(color.g), double(color.b)};
-    for (std::size_t i = 0; i < coverage.size(); ++i)
-      for (std::size_t k = 0; k < 3 && coverage[i] > 0; ++k) {
-        const double c = opacity * static_cast<double>(coverage[i]), under = view_.raster.rgb[3 * i + k];
-        view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * colour[k] + (1 - c) * under));
+    for (int y = 0; y < touched.height; ++y) {
+      const float* const row = coverage.ptr<float>(y);
+      for (int x = 0; x < touched.width; ++x) {
+        if (!(row[x] > 0)) continue;
+        std::uint8_t* const pixel =
+            &r.rgb[3 * static_cast<std::size_t>((y + touched.y) * r.width_px + x + touched.x)];
+        const double c = opacity * static_cast<double>(row[x]);
+        for (int k = 0; k < 3; ++k)
+          pixel[k] = static_cast<std::uint8_t>(std::lround(c * colour[k] + (1 - c) * pixel[k]));
       }
+    }
   }
   /// The area between a curve and the plot's bottom, as programs fill it; `opacity` at the top and at the
   /// bottom.
