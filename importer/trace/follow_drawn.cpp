@@ -133,40 +133,50 @@ void visitAround(Point p, double reach_px, const Visit& visit) {
         visit(Point{p.x + dx, p.y + dy}, 1 - d / reach_px);
 }
 
-/// The pen that drew the curve beside the drawn points. Each point has the colour near it that differs most
-/// from the paper; of these the one that all others are nearest to. nullopt on bare paper.
+/// A place on the curve beside a drawn point. `score`: 1 on the very point, 0 if there is none.
+struct PlaceOnCurve {
+  Point at;
+  double score = 0;
+};
+
+/// The place within reach of a drawn point that is most of the curve and near; the point itself on paper.
+PlaceOnCurve onCurve(const Raster& raster, const Pen& pen, Point drawn, double reach_px) {
+  PlaceOnCurve best{drawn};
+  visitAround(drawn, reach_px, [&](Point at, double near) {
+    const double score = (0.5 + 0.5 * near) * pen.coverage(colorBetween(raster, at));
+    if (score > std::max(best.score, clearCoverage)) best = {at, score};
+  });
+  return best;
+}
+
+/// The pen that drew the curve beside the drawn points. Each point offers the colour near it that differs most
+/// from the paper; of these the one that stands nearest to all points together. Where two curves run side by
+/// side most points may offer the other one's. nullopt on bare paper.
 std::optional<Pen> penBeside(const Raster& raster, const std::vector<Point>& drawn, double reach_px) {
-  std::vector<Color3> all, strongest;
+  std::vector<Color3> all;
   for (const Point& p : drawn)
     visitAround(p, reach_px, [&](Point at, double) { all.push_back(colorBetween(raster, at)); });
   const Color3 paper = medianOf(std::move(all));
+  std::optional<Pen> pen;
+  std::vector<Color3> compared;
+  double most = 0;
   for (const Point& p : drawn) {
-    Color3 best = paper;
-    double most = leastMarkContrast;
+    Color3 strongest = paper;
+    double contrast = leastMarkContrast;
     visitAround(p, reach_px, [&](Point at, double near) {
       const Color3 color = colorBetween(raster, at);
-      if (const double d = (0.5 + 0.5 * near) * distance(color, paper); d > most) most = d, best = color;
+      if (const double d = (0.5 + 0.5 * near) * distance(color, paper); d > contrast)
+        contrast = d, strongest = color;
     });
-    if (most > leastMarkContrast) strongest.push_back(best);
-  }
-  const auto apart = [&](Color3 color) {
+    const auto isNear = [&](Color3 other) { return distance(strongest, other) < leastMarkContrast; };
+    if (isNear(paper) || std::ranges::any_of(compared, isNear)) continue;
+    compared.push_back(strongest);
+    const Pen offered{paper, strongest};
     double sum = 0;
-    for (const Color3& other : strongest) sum += distance(color, other);
-    return sum;
-  };
-  const auto middle = std::ranges::min_element(strongest, {}, apart);
-  return middle != strongest.end() ? std::optional(Pen{paper, *middle}) : std::nullopt;
-}
-
-/// The place within reach of a drawn point that is most of the curve and near; the point itself on paper.
-Point onCurve(const Raster& raster, const Pen& pen, Point drawn, double reach_px) {
-  Point best = drawn;
-  double most = clearCoverage;
-  visitAround(drawn, reach_px, [&](Point at, double near) {
-    const double score = (0.5 + 0.5 * near) * pen.coverage(colorBetween(raster, at));
-    if (score > most) most = score, best = at;
-  });
-  return best;
+    for (const Point& each : drawn) sum += onCurve(raster, offered, each, reach_px).score;
+    if (sum > most) most = sum, pen = offered;
+  }
+  return pen;
 }
 
 /// The way between two places with the most of the curve for its length, pixel by pixel, without its end.
@@ -245,7 +255,7 @@ std::vector<Point> withoutSteps(const std::vector<Point>& line) {
 std::vector<Point> lineOnCurve(const Raster& raster, const Pen& pen, const std::vector<Point>& drawn,
                                double reach_px) {
   std::vector<Point> line, snapped;
-  for (const Point& p : drawn) snapped.push_back(onCurve(raster, pen, p, reach_px));
+  for (const Point& p : drawn) snapped.push_back(onCurve(raster, pen, p, reach_px).at);
   for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
     std::vector<Point> way = wayOnCurve(raster, pen, snapped[i], snapped[i + 1], reach_px);
     if (way.empty()) way = smoothPiece(drawn, i);

@@ -119,6 +119,21 @@ TEST_CASE("a few clicks at the turns are enough, however far the curve runs from
   CHECK(followed.back().x > 378);
 }
 
+TEST_CASE("a pale curve is followed though most clicks are near a stronger one that leaves it") {
+  for (const double off : {0.0, 1.5, 3.0}) {
+    INFO("off by " << off << " px");
+    Paper paper(400, 200);
+    paper.curve([](double x) { return hill(x) + 4 + 0.15 * std::max(0.0, x - 130); }, red, 2);
+    paper.curve(hill, {155, 210, 205}, 2);
+    std::vector<Point> clicks;
+    for (const double x : {20.0, 35.0, 50.0, 70.0, 100.0, 130.0, 330.0, 380.0})
+      clicks.push_back({x, hill(x) + off * std::sin(x)});
+    const auto followed = followDrawn(paper.raster, clicks);
+    CHECK(std::ranges::all_of(followed, [](Point p) { return std::abs(p.y - hill(p.x)) < 4; }));
+    CHECK(rms(followed, 140, 380) < 0.5);
+  }
+}
+
 TEST_CASE("dark paper is paper too") {
   Paper paper(400, 200);
   std::fill(paper.raster.rgb.begin(), paper.raster.rgb.end(), std::uint8_t(25));
