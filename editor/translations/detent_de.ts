@@ -10655,6 +10655,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>no curve beside the press has the colour %1 that was given for the release</source>
         <translation>keine Kurve neben dem Hinweg hat die Farbe %1, die für den Rückweg angegeben wurde</translation>
     </message>
+    <message>
+        <source>no curve has the colour %1 that was given for the press</source>
+        <translation>keine Kurve hat die Farbe %1, die für den Hinweg angegeben wurde</translation>
+    </message>
+    <message>
+        <source>no curve has the colour %1 that was given for the release</source>
+        <translation>keine Kurve hat die Farbe %1, die für den Rückweg angegeben wurde</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>

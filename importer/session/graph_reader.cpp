@@ -84,10 +84,13 @@ Failure noReleaseOfColour(Rgb color) {
 
 /// A failure if no curve has a colour that a person picked, beside a line or on a gridline.
 std::optional<Failure> colourWithoutCurve(const std::vector<CurveTrace>& curves, const ImportHints& hints) {
+  const auto isLine = [](const CurveTrace& curve) {
+    const auto isBeyond = [&](Point p) { return distance(p, curve.points_px.front()) >= 1; };  // a pixel
+    return std::ranges::any_of(curve.points_px, isBeyond);
+  };
   const auto isMissing = [&](const std::optional<Rgb>& color, Stroke stroke) {
     return color && std::ranges::none_of(curves, [&](const CurveTrace& curve) {
-             return curve.points_px.size() >= 2 &&
-                    (curve.stroke == stroke || isSameColour(curve.color, *color));
+             return isLine(curve) && (curve.stroke == stroke || isSameColour(curve.color, *color));
            });
   };
   const TraceHints& given = hints.trace;

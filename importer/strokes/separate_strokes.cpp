@@ -95,6 +95,15 @@ Remedies remediesFor(bool oneColour, const Message& with) {
   return {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, with}};
 }
 
+/// The only curve that was named the press, by hand or by the tracer; null if there is none or several.
+const CurveTrace* onlyPress(const std::vector<CurveTrace>& traces) {
+  const auto isPress = [](const CurveTrace& trace) {
+    return trace.stroke == Stroke::press && trace.points_px.size() >= 2;
+  };
+  const auto press = std::ranges::find_if(traces, isPress);
+  return std::ranges::count_if(traces, isPress) == 1 ? &*press : nullptr;
+}
+
 Failure tooMany(const std::vector<CurveTrace>& traces) {
   std::string colors;
   for (const CurveTrace& trace : traces) {
@@ -103,9 +112,12 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
   }
   const bool oneColour = std::ranges::all_of(
       traces, [&](const CurveTrace& trace) { return trace.color == traces.front().color; });
-  return failureOf(
-      {DoubtCode::tooManyCurves, {traces.size(), colors}, remediesFor(oneColour, "with two of these")},
-      "plot frame");
+  // Beside a known press the others may be all but its release.
+  const Remedies remedies =
+      !oneColour && onlyPress(traces)
+          ? Remedies{{RemedyKind::pickRelease, "with one of these"}, {RemedyKind::noRelease, {}}}
+          : remediesFor(oneColour, "with two of these");
+  return failureOf({DoubtCode::tooManyCurves, {traces.size(), colors}, remedies}, "plot frame");
 }
 
 /// Returns true if a text names a point in its legend that would be a stroke in another legend: one entry
@@ -294,15 +306,6 @@ bool hidesAnEndOf(CurveTrace own, CurveTrace other) {
   };
   return (own.points_px.back().y - otherTop.y > further_px && covers(std::prev(own.points_px.end()))) ||
          (otherLowest.y - own.points_px.front().y > further_px && covers(own.points_px.begin()));
-}
-
-/// The only curve that was named the press, by hand or by the tracer; null if there is none or several.
-const CurveTrace* onlyPress(const std::vector<CurveTrace>& traces) {
-  const auto isPress = [](const CurveTrace& trace) {
-    return trace.stroke == Stroke::press && trace.points_px.size() >= 2;
-  };
-  const auto press = std::ranges::find_if(traces, isPress);
-  return std::ranges::count_if(traces, isPress) == 1 ? &*press : nullptr;
 }
 
 /// A press of which a person says that it has no release. What its names say about one is settled.

@@ -356,6 +356,37 @@ TEST_CASE("A press given by hand does not make another switch's press its releas
   }
 }
 
+TEST_CASE("A picked colour that is on no curve is refused by name, and does not leave out its stroke") {
+  cv::Mat plot = emptyPlot();
+  const auto at = placeOnPlot;
+  const auto curve = [&](const std::vector<cv::Point>& points, const cv::Scalar& color) {
+    cv::polylines(plot, points, false, color, 2, cv::LINE_AA);
+  };
+  curve({at(0, 0), at(0.2, 0.45), at(0.5, 0.6), at(0.7, 0.55), at(0.82, 0.95)}, {30, 30, 210});
+  curve({at(0, 0), at(0.2, 0.25), at(0.5, 0.4), at(0.7, 0.35), at(0.82, 0.95)}, {200, 60, 20});
+  ImportSession session = sessionOf(plot);
+  constexpr Rgb red{210, 30, 30}, blue{20, 60, 200}, green{0, 255, 0}, paper{255, 255, 255};
+  struct Row {
+    Rgb press, release;
+    std::optional<RemedyKind> again;
+  };
+  for (const Row& row : {Row{red, blue, {}},
+                         {red, green, RemedyKind::pickRelease},
+                         {red, paper, RemedyKind::pickRelease},
+                         {paper, blue, RemedyKind::pickPress}}) {
+    INFO(nameOf(row.press) << " and " << nameOf(row.release));
+    ImportRequest request = firstGraph();
+    request.hints.trace.pressColor = row.press, request.hints.trace.releaseColor = row.release;
+    const ImportAttempt attempt = session.attempt(request);
+    CHECK(attempt.report.ok() == !row.again.has_value());
+    if (attempt.report.ok()) continue;
+    const Failure& failure = attempt.report.failure();
+    INFO(failure.sentence());
+    CHECK(failure.remedies.include(*row.again));
+    CHECK(english(failure.problem).find("no curve has the colour #") == 0);
+  }
+}
+
 TEST_CASE("A scanner's grain is seen where a large plot is read from averaged pixels") {
   cv::Mat large, grain;
   cv::resize(cv::imread(plots + "black-red-curves.png"), large, {}, 5, 5, cv::INTER_CUBIC);
