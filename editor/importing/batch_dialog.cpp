@@ -37,7 +37,7 @@ QString inShort(const BatchResult& result) {
 }
 
 QString nameOfRow(const BatchResult& result) {
-  const QString graph = BatchDialog::tr("Page %1, graph %2").arg(result.graph.page).arg(result.graph.graph);
+  QString graph = BatchDialog::tr("Page %1, graph %2").arg(result.graph.page).arg(result.graph.graph);
   if (result.curve == 0) return graph;
   return BatchDialog::tr("%1: %2").arg(
       graph, result.curveName.isEmpty() ? BatchDialog::tr("switch %1").arg(result.curve) : result.curveName);
