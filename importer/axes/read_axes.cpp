@@ -507,6 +507,13 @@ void multiply(AxisCalibration& cal, Axis axis, double factor) {
   scaleRow(cal.viewToUnits, axis == Axis::x ? 0 : 1, factor);
 }
 
+/// Multiplies an axis by the factor that its title prints.
+void takeFactor(AxisCalibration& cal, Axis axis) {
+  AxisReading& reading = axis == Axis::x ? cal.x : cal.y;
+  multiply(cal, axis, reading.factor);
+  reading.multiplied = true;
+}
+
 /// Takes the title of an axis that was found later, with the factor that it prints unless ends were given.
 template <class Unit>
 void takeTitle(AxisCalibration& cal, Axis axis, const AxisTitle<Unit>& title, const AxisGiven& given) {
@@ -514,9 +521,7 @@ void takeTitle(AxisCalibration& cal, Axis axis, const AxisTitle<Unit>& title, co
   reading.title = title.text;
   reading.factor = title.factor;
   reading.otherQuantity.clear();
-  if (given.any()) return;
-  multiply(cal, axis, title.factor);
-  reading.multiplied = true;
+  if (!given.any()) takeFactor(cal, axis);
 }
 
 /// Box of an axis' labels; without labels its edge of the frame.
@@ -532,8 +537,8 @@ void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional
   const auto apply = [&](AxisReading& reading, Axis axis, const Box& labels) {
     const double atEnd = multiplierAtEnd(r, axis, labels);
     if (atEnd != 1) reading.factor = 1;
-    multiply(cal, axis, atEnd * reading.factor);
-    reading.multiplied = true;
+    multiply(cal, axis, atEnd);
+    takeFactor(cal, axis);
   };
   if (!hints.xMin && !hints.xMax) apply(cal.x, Axis::x, extentOf(x, {b.x0, b.y1, b.x1, b.y1 + 1}));
   if (!hints.yMin && !hints.yMax) apply(cal.y, Axis::y, extentOf(y, {b.x0 - 1, b.y0, b.x0, b.y1}));
@@ -627,10 +632,7 @@ void compareWithLabels(AxisCalibration& cal, const GivenScale& given, GraphReadi
   if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
   markAgreeing(reading, given, p, factor);
   reading.repeated = most == all;
-  if (factor == 1 && reading.repeated) {
-    multiply(cal, given.axis, reading.factor);
-    reading.multiplied = true;
-  }
+  if (factor == 1 && reading.repeated) takeFactor(cal, given.axis);
   if (factor == reading.factor) reading.factor = 1;
   if (reading.repeated) return;
   for (const TickLabel& tick : reading.ticks)
