@@ -450,7 +450,8 @@ class Doubts {
   }
 
   /// Confidence in a size that no known button has. Given ends that the printed numbers have as well say
-  /// nothing new: a chart of something else is typed as it is printed, and so is a point that parts thousands.
+  /// nothing new: a chart of something else is typed as it is printed, and so is a point that parts
+  /// thousands.
   double ofSize(Axis axis) const {
     const AxisReading& reading = axis == Axis::x ? axes().x : axes().y;
     return endsGiven(axis) && !reading.repeated ? inPart : unconfirmed;

@@ -149,9 +149,9 @@ PlaceOnCurve onCurve(const Raster& raster, const Pen& pen, Point drawn, double r
   return best;
 }
 
-/// The pen that drew the curve beside the drawn points. Each point offers the colour near it that differs most
-/// from the paper; of these the one that stands nearest to all points together. Where two curves run side by
-/// side most points may offer the other one's. nullopt on bare paper.
+/// The pen that drew the curve beside the drawn points. Each point offers the colour near it that differs
+/// most from the paper; of these the one that stands nearest to all points together. Where two curves run
+/// side by side most points may offer the other one's. nullopt on bare paper.
 std::optional<Pen> penBeside(const Raster& raster, const std::vector<Point>& drawn, double reach_px) {
   std::vector<Color3> all;
   for (const Point& p : drawn)

@@ -212,7 +212,7 @@ class FeelSessionTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.session.motion().displacement_mm > 1, 10000);
     const Result<Button> stronger = scaleForce(tactileButton(), 1.5);
     QVERIFY(stronger);
-    // Held still: on a busy machine a press takes its time, and its force at the peak is the stronger one's later.
+    // On a busy machine a press takes its time, and its peak may be as strong as the stronger button held.
     double held_N = 0;
     const auto rests = [&] {
       const double before_N = std::exchange(held_N, rig.session.motion().force_N);
