@@ -83,7 +83,7 @@ if ((passed == 0)); then
 fi
 echo "The twenty slowest:"
 awk -F'"' '/^[0-9]+\/[0-9]+ Testing: /{name = $0; sub(/.*Testing: /, "", name)} /^Test time = /{split($0, t, " "); print t[4], name}' "$log" |
-  sort -rn | head -n 20 | awk '{printf "  %6.1f s  %s\n", $1, $2}'
+  sort -rn | awk 'NR <= 20 {printf "  %6.1f s  %s\n", $1, $2}'
 grep -aE '^SKIPPED' "$log" | sort | uniq -c | sed 's/^ *\([0-9]*\) /  \1 x /' || true
 closing="All tests passed: $passed programs, $skipped checks skipped."
 ((repeated == 0)) || closing+=" Failed beside other tests, passed alone: ${failed[*]}."
