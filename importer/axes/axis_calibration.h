@@ -43,10 +43,11 @@ struct AxisReading {
   /// every label has the form "1,000": read as decimals, but they may be thousands
   bool thousandsUnclear = false;
   std::vector<TickLabel> ticks;
-  std::string title;        ///< as read
-  double factor = 1;        ///< printed in the title; 1: none, or given ends have it in them
-  bool multiplied = false;  ///< by `factor`; given ends only if they are the numbers printed along the axis
-  bool repeated = false;    ///< the given ends are those that the printed numbers have at the frame's edges
+  std::string title;          ///< as read
+  double factor = 1;          ///< printed in the title; 1: none, or given ends have it in them
+  bool factorUnread = false;  ///< the title prints one that cannot be read, and no given ends have it in them
+  bool multiplied = false;    ///< by `factor`; given ends only if they are the numbers printed along the axis
+  bool repeated = false;      ///< the given ends are those that the printed numbers have at the frame's edges
   /// labels that agree with one another and contradict the ends that were given, as text
   std::vector<std::string> contradicting;
   /// confidence in the scale of the labels, if `contradicting` is not empty, 0..1

@@ -24,7 +24,8 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
     if (isBetter) best.unit = unit;
     if (!isBetter && !best.text.empty()) continue;
     best.text = line.utf8;
-    best.factor = factor ? factor->factor : 1;
+    best.factor = factor ? factor->factor.value_or(1) : 1;
+    best.factorUnread = factor && !factor->factor;
   }
 }
 

@@ -13,8 +13,9 @@ namespace detent::importer {
 template <class Unit>
 struct AxisTitle {
   std::optional<PrintedUnit<Unit>> unit;
-  std::string text;   ///< the line that names the unit, or else the nearest one
-  double factor = 1;  ///< printed in that line, for the axis' labels
+  std::string text;           ///< the line that names the unit, or else the nearest one
+  double factor = 1;          ///< printed in that line, for the axis' labels
+  bool factorUnread = false;  ///< that line prints one that cannot be read
   /// the quantity that the nearest line names if it is neither displacement nor force, as printed: "kPa",
   /// "Time"; else empty
   std::string other;

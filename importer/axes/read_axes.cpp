@@ -328,6 +328,7 @@ LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
   const auto title = readXTitle(r, labels && !labels->words.empty() ? labels->extent : edge);
   x.title = title.text;
   x.factor = title.factor;
+  x.factorUnread = title.factorUnread;
   x.otherQuantity = title.other;
   if (hints.xUnit) {
     x.unitBy = DecidedBy::given;
@@ -357,6 +358,7 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   const auto title = readYTitle(r, read.empty() ? edge : joinedBox(read));
   y.title = title.text;
   y.factor = title.factor;
+  y.factorUnread = title.factorUnread;
   y.otherQuantity = title.other;
   if (hints.yUnit) {
     y.unitBy = DecidedBy::given;
@@ -520,6 +522,7 @@ void takeTitle(AxisCalibration& cal, Axis axis, const AxisTitle<Unit>& title, co
   AxisReading& reading = axis == Axis::x ? cal.x : cal.y;
   reading.title = title.text;
   reading.factor = title.factor;
+  reading.factorUnread = title.factorUnread;
   reading.otherQuantity.clear();
   if (!given.any()) takeFactor(cal, axis);
 }
@@ -536,7 +539,7 @@ void applyMultipliers(AxisCalibration& cal, GraphReading& r, const std::optional
   const Box& b = r.box;
   const auto apply = [&](AxisReading& reading, Axis axis, const Box& labels) {
     const double atEnd = multiplierAtEnd(r, axis, labels);
-    if (atEnd != 1) reading.factor = 1;
+    if (atEnd != 1) reading.factor = 1, reading.factorUnread = false;
     multiply(cal, axis, atEnd);
     takeFactor(cal, axis);
   };
@@ -628,12 +631,15 @@ void compareWithLabels(AxisCalibration& cal, const GivenScale& given, GraphReadi
   trial(printedPerGiven(reading, *labels, given.axis));
   if (labels->thousands == ThousandsSign::possible) trial(1000);
   trial(reading.factor);
+  if (reading.factorUnread)
+    for (const double unread : {0.001, 0.01, 0.1, 10.0, 100.0, 1000.0}) trial(unread);
   trial(-1);  // sizes, beside numbers with a minus sign
   if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
   markAgreeing(reading, given, p, factor);
   reading.repeated = most == all;
   if (factor == 1 && reading.repeated) takeFactor(cal, given.axis);
   if (factor == reading.factor) reading.factor = 1;
+  if (!(reading.repeated && factor == 1)) reading.factorUnread = false;
   if (reading.repeated) return;
   for (const TickLabel& tick : reading.ticks)
     if (tick.used && !tick.agrees) reading.contradicting.push_back(shownNumber(tick.value));

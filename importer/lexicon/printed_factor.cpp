@@ -106,6 +106,22 @@ bool takePlace(std::string_view title, std::string_view& rest) {
   return title.find_first_of("([{") == std::string_view::npos && take(rest, "/");
 }
 
+/// Returns true if the name of a force or a travel is the last word of the text.
+bool endsWithQuantity(std::string_view text) {
+  const auto isLetter = [](char c) { return isUnitLetter(c); };
+  const auto end = std::ranges::find_if(text.rbegin(), text.rend(), isLetter);
+  const auto begin = std::find_if_not(end, text.rend(), isLetter);
+  if (std::any_of(text.rbegin(), end, isDigit)) return false;
+  const Quantity quantity = quantityNamedIn({begin.base(), end.base()}, TextSource::recognised).quantity;
+  return quantity == Quantity::force || quantity == Quantity::travel;
+}
+
+/// Returns true if a number may begin here: no letter, digit or decimal sign stands directly in front.
+bool mayBeginNumber(std::string_view title, std::size_t at) {
+  return at > 0 && isDigit(title[at]) && !isUnitLetter(title[at - 1]) && !isDigit(title[at - 1]) &&
+         title[at - 1] != '.' && title[at - 1] != '/';
+}
+
 /// Returns true if a unit begins the text and nothing but a bracket or a blank follows.
 bool beginsWithUnit(std::string_view text) {
   const auto end = std::ranges::find_if_not(text, isUnitLetter);
@@ -115,21 +131,39 @@ bool beginsWithUnit(std::string_view text) {
   return forceUnitFrom(unit) || lengthUnitFrom(unit) || unitReadAs(unit, TextSource::recognised, false);
 }
 
+/// Takes what was read of an exponent directly behind a ten, up to the unit; true if anything stood there.
+bool takeUnread(std::string_view& text) {
+  const auto isOver = [](std::string_view t) {
+    return t.empty() || std::string_view(" ,;([{)]}|").find(t.front()) != std::string_view::npos ||
+           beginsWithUnit(t);
+  };
+  std::string_view rest = text;
+  while (!isOver(rest)) rest.remove_prefix(1);
+  const bool any = rest.size() < text.size();
+  text = rest;
+  takeBlanks(rest);
+  return any && beginsWithUnit(rest);
+}
+
 }  // namespace
 
 std::optional<PrintedFactor> printedFactorIn(std::string_view title) {
   for (std::size_t at = 0; at < title.size(); ++at) {
     std::string_view rest = title.substr(at);
     const bool afterSign = takeSign(title, at, rest);
-    if (!afterSign && !takePlace(title, rest)) continue;
+    const bool afterName = !afterSign && mayBeginNumber(title, at) && endsWithQuantity(title.substr(0, at));
+    if (!afterSign && !afterName && !takePlace(title, rest)) continue;
     const std::size_t from = afterSign ? at : title.size() - rest.size();
     takeBlanks(rest);
-    const auto factor = takePower(rest, afterSign);
+    std::optional<double> factor = takePower(rest, afterSign);
     if (!factor) continue;
+    if (std::string_view beyond = rest; afterSign && takeUnread(beyond)) factor.reset(), rest = beyond;
     const std::string_view behind = rest;
     takeBlanks(rest);
+    if (afterName) take(rest, std::array<std::string_view, 3>{"(", "[", "{"});
     if (!afterSign && !beginsWithUnit(rest)) continue;
-    PrintedFactor found{*factor, std::string(title.substr(0, from)) + std::string(behind)};
+    if (afterName && rest.find(' ') != std::string_view::npos) continue;
+    PrintedFactor found{factor, std::string(title.substr(0, from)) + std::string(behind)};
     return std::ranges::any_of(found.title, isUnitLetter) ? std::optional(std::move(found)) : std::nullopt;
   }
   return {};

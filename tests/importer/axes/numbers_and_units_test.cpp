@@ -355,18 +355,40 @@ TEST_CASE("a factor that a title prints beside its unit") {
                              {"Force [10−3 N]", "Force [ N]", 0.001},
                              {"Kraft ·100 [N]", "Kraft  [N]", 100},
                              {"Travel [1/100 mm]", "Travel [ mm]", 0.01},
+                             {"Force, 10 mN", "Force,  mN", 10},
+                             {"Force - 10 (cN)", "Force -  (cN)", 10},
+                             {"Kraft: 100 mN", "Kraft:  mN", 100},
+                             {"Travel 0.01 mm", "Travel  mm", 0.01},
                              {"Force*10^{-3} [N]", "Force [N]", 0.001}}) {
     INFO(title.text);
     const auto found = printedFactorIn(title.text);
     REQUIRE(found);
-    CHECK(found->factor == Approx(title.factor));
+    CHECK(found->factor.value_or(0) == Approx(title.factor));
     CHECK(found->title == title.without);
   }
   for (const char* text :
        {"Force (gf)", "Force (60 gf)", "Force at speed (10 mm/min) [N]", "Max 100 gf", "x-axis 10",
-        "MX10 (gf)", "3x10 keys", "Force in 10 keys", "x1 [N]", "×10³", "10", ""}) {
+        "Force at 10 mm", "Force 10 N, slow", "Force 10 mm/min", "Force 20 gf", "MX10 (gf)", "3x10 keys",
+        "Force in 10 keys", "x1 [N]", "×10³", "10", ""}) {
     INFO(text);
     CHECK_FALSE(printedFactorIn(text));
+  }
+}
+
+TEST_CASE("a factor whose exponent was misread is printed and unknown") {
+  struct Title {
+    const char *text, *without;
+  };
+  for (const Title& title : {Title{"Force [x10?mN]", "Force [mN]"},
+                             {"Force x10? mN", "Force  mN"},
+                             {"Force (x107! N)", "Force ( N)"},
+                             {"Load [x10*2 gf]", "Load [ gf]"},
+                             {"Force ×10° mN", "Force  mN"}}) {
+    INFO(title.text);
+    const auto found = printedFactorIn(title.text);
+    REQUIRE(found);
+    CHECK_FALSE(found->factor);
+    CHECK(found->title == title.without);
   }
 }
 

@@ -720,6 +720,7 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
     std::optional<ForceUnit> unit;
     std::optional<double> top;
     double max, factor;
+    bool unread = false;
   };
   PlotStyle s;  // the numbers end at 120
   for (const Row& row : {Row{"read", "Load [x10 gf]", {}, {}, 1200, 10},
@@ -729,6 +730,9 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
                          {"the ends as printed, without a unit", "Load [x10 gf]", {}, 120, 1200, 10},
                          {"ends that no number agrees with", "Load [x10 gf]", {}, 75, 75, 10},
                          {"the top multiplied", "Load [x10 gf]", ForceUnit::gramForce, 1200, 1200, 1},
+                         {"misread", "Load [x10?gf]", ForceUnit::gramForce, {}, 120, 1, true},
+                         {"misread, the ends as printed", "Load [x10?gf]", {}, 120, 120, 1, true},
+                         {"misread, the top multiplied", "Load [x10?gf]", {}, 12000, 12000, 1},
                          {"none", "Load [gf]", ForceUnit::gramForce, {}, 120, 1}}) {
     INFO(row.what);
     auto looked = readWithoutCurves(s);
@@ -745,6 +749,7 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
     CHECK(c.y.otherQuantity.empty());
     CHECK(c.y.max == Approx(row.max));
     CHECK(c.y.factor == Approx(row.factor));
+    CHECK(c.y.factorUnread == row.unread);
     CHECK(c.toUnits({s.left, s.top}).y ==
           Approx(row.max * newtonsPer(*forceUnitFrom(c.y.unit))).epsilon(1e-3));
   }
