@@ -315,6 +315,17 @@ bool pressBeginsLate(const StrokePair& strokes) {
   return press.low - release.low > late * travel_mm && begin_N > nothing * forceOf(strokes.press).high;
 }
 
+/// Returns true if the release begins at a displacement short of the press' largest one, and not at its
+/// force. A key turns round where it was pressed to; otherwise the release's beginning was not traced.
+bool releaseStartsShort(const StrokePair& strokes) {
+  constexpr double shortBy = 0.02, whole = 0.75;  // shares of the travel and of the press' largest force
+  const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
+  const CurvePoint begin =
+      *std::ranges::max_element(strokes.release->points, {}, &CurvePoint::displacement_mm);
+  return press.high - release.high > shortBy * (press.high - press.low) &&
+         begin.force_N < whole * forceOf(strokes.press).high;
+}
+
 /// Share of the press' force that the release still has at its end; nullopt if the press does not cover that
 /// displacement.
 std::optional<double> forceLeft(const StrokePair& strokes) {
@@ -401,15 +412,24 @@ class Doubts {
   void unit(const AxisReading& axis, Axis which) {
     if (!axis.otherQuantity.empty() || axis.unitFound || confirmedBySpec(checks_, which)) return;
     const bool isX = which == Axis::x;
-    add(DoubtCode::unitMissing, unconfirmed, {isX ? "x" : "y", axis.unit},
+    add(DoubtCode::unitMissing, unconfirmed,
+        {isX ? "x" : "y", axis.unit, isX ? Message("lengths") : Message("forces")},
         isX ? RemedyKind::giveXUnit : RemedyKind::giveYUnit);
   }
 
   /// Doubts the factor that an axis' title prints: titles mean by it that the numbers are to be multiplied, or
-  /// that they have been. Without a unit or ends from the user the import does not rest on it.
+  /// that they have been. Without a unit or ends from the user the import does not rest on it, and never on
+  /// one that cannot be read.
   void factor(const AxisReading& axis, Axis which) {
-    if (axis.factor == 1 || confirmedBySpec(checks_, which)) return;
     const bool isX = which == Axis::x;
+    if (confirmedBySpec(checks_, which)) return;
+    if (axis.factorUnread) {
+      Remedies helps{
+          {isX ? RemedyKind::giveXAxis : RemedyKind::giveYAxis, "with the numbers multiplied by it"}};
+      if (axis.repeated) helps = Message("Multiply the given values by it");
+      add(DoubtCode::factorUnread, unconfirmed, {isX ? "x" : "y"}, std::move(helps));
+    }
+    if (axis.factor == 1) return;
     const bool given = isX ? hints_.axes.xMin || hints_.axes.xMax || hints_.axes.xUnit
                            : hints_.axes.yMin || hints_.axes.yMax || hints_.axes.yUnit;
     add(DoubtCode::factorPrinted, given ? inPart : unconfirmed,
@@ -486,6 +506,11 @@ class Doubts {
       if ((shared < leastSharedTravel && !locks) ||
           (shared < wholeTravel && left && *left > forceLeftAtEnd) || pressBeginsLate(strokes))
         add(DoubtCode::strokeInPart, unconfirmed, {{shared, Measure::share}}, helps);
+      else if (hints_.drawn.release.empty() && releaseStartsShort(strokes))
+        add(DoubtCode::releaseStartsShort, unconfirmed,
+            {shownTravel(axes().x, travelOf(*strokes.release).high),
+             shownTravel(axes().x, travelOf(strokes.press).high)},
+            RemedyKind::drawRelease);
     }
     double along = shareAlongAnAxis(strokes.press.points_px);
     if (strokes.release) along = std::max(along, shareAlongAnAxis(strokes.release->points_px));

@@ -66,6 +66,8 @@ bool isGiven(const ImportHints& hints, RemedyKind kind) {
       return hints.dpi.has_value();
     case RemedyKind::drawPress:
       return !hints.drawn.press.empty();
+    case RemedyKind::drawRelease:
+      return !hints.drawn.release.empty();
     case RemedyKind::chooseSwitch:
       return !hints.strokes.curve.empty();
     default:

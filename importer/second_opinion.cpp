@@ -24,10 +24,11 @@ constexpr double surerBy = 0.1;
 constexpr double enlarged_px = 1.2e6, large_px = 6e6;
 
 /// Doubts about the content of the page, which do not depend on how it was read.
-constexpr std::array standOnThePage{
-    DoubtCode::severalSwitches,  DoubtCode::tooManyCurves,      DoubtCode::otherQuantity,
-    DoubtCode::axesExchanged,    DoubtCode::otherScale,         DoubtCode::thousandsUnclear,
-    DoubtCode::valueContradicts, DoubtCode::givenAgainstLabels, DoubtCode::factorPrinted};
+constexpr std::array standOnThePage{DoubtCode::severalSwitches,  DoubtCode::tooManyCurves,
+                                    DoubtCode::otherQuantity,    DoubtCode::axesExchanged,
+                                    DoubtCode::otherScale,       DoubtCode::thousandsUnclear,
+                                    DoubtCode::valueContradicts, DoubtCode::givenAgainstLabels,
+                                    DoubtCode::factorPrinted,    DoubtCode::factorUnread};
 /// Largest confidence of a reading that replaces another: below 0.9, from which on the confidence of a single
 /// reading is guaranteed.
 constexpr double takenAtMost = 0.8;

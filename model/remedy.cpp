@@ -39,6 +39,8 @@ RemedyNames namesOf(RemedyKind kind) {
       return {"swap-strokes", "--swap-strokes"};
     case RemedyKind::drawPress:
       return {"draw-press", "--press-line X0,Y0,X1,Y1,... along the whole curve"};
+    case RemedyKind::drawRelease:
+      return {"draw-release", "--release-line X0,Y0,X1,Y1,... along the whole curve"};
     case RemedyKind::chooseSwitch:
       return {"choose-switch", "--curve NAME|N"};
     case RemedyKind::acceptAsIs:

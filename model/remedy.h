@@ -34,6 +34,7 @@ enum class RemedyKind {
   raiseLimit,  ///< the limit named in the problem
   // Import hints that only a person can give:
   drawPress,     ///< points along the whole press curve
+  drawRelease,   ///< points along the whole release curve
   chooseSwitch,  ///< one of the switches that the plot shows
   acceptAsIs,    ///< the word that the doubtful result is right
 };

@@ -47,6 +47,8 @@ std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
       return {{words("swap press and release"), words("Swap press and release")}};
     case RemedyKind::drawPress:
       return {{words("draw along the whole press curve"), words("Draw press curve")}};
+    case RemedyKind::drawRelease:
+      return {{words("draw along the whole release curve"), words("Draw release curve")}};
     case RemedyKind::chooseSwitch:
       return {{words("choose a switch in the list"), words("Choose switch")}};
     default:

@@ -68,6 +68,8 @@ bool isGiven(RemedyKind correction, const Corrections& given) {
       return given.releaseColor || !given.drawn.release.empty() || given.noRelease;
     case RemedyKind::drawPress:
       return !given.drawn.press.empty();
+    case RemedyKind::drawRelease:
+      return !given.drawn.release.empty();
     case RemedyKind::chooseSwitch:
       return !given.curve.empty();
     default:  // all other corrections can be given more than once
@@ -567,6 +569,8 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
       return findings->focusDpi();
     case RemedyKind::drawPress:
       return view->setTool(PageToolKind::drawPress);
+    case RemedyKind::drawRelease:
+      return view->setTool(PageToolKind::drawRelease);
     case RemedyKind::chooseSwitch:
       return findings->focusSwitches();
     case RemedyKind::noRelease:

@@ -2928,6 +2928,14 @@ Lizenz: %3</translation>
         <source>this button has no release</source>
         <translation>dieser Taster hat keinen Rückweg</translation>
     </message>
+    <message>
+        <source>draw along the whole release curve</source>
+        <translation>die ganze Rückwegkurve nachziehen</translation>
+    </message>
+    <message>
+        <source>Draw release curve</source>
+        <translation>Rückwegkurve zeichnen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -9772,10 +9780,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Hinweg und Rückweg lassen sich nicht unterscheiden: Weder Legende noch Hysterese zeigt, welche Kurve welche ist (%1, %2)</translation>
     </message>
     <message>
-        <source>the %1 axis names no unit; %2 would be a guess</source>
-        <translation>die Achse %1 nennt keine Einheit; %2 wäre geraten</translation>
-    </message>
-    <message>
         <source>a travel of %1 is not plausible for a button</source>
         <translation>ein Weg von %1 ist für einen Taster unplausibel</translation>
     </message>
@@ -10392,10 +10396,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Eine niedrigere Qualität wählen</translation>
     </message>
     <message>
-        <source>the curves carry error bars (%1); they are left out</source>
-        <translation>die Kurven tragen Fehlerbalken (%1); sie wurden weggelassen</translation>
-    </message>
-    <message>
         <source>it is logarithmic</source>
         <translation>sie ist logarithmisch</translation>
     </message>
@@ -10486,18 +10486,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>two readings of the page differ: the first found %1; the second, with the page drawn at another size, found %2</source>
         <translation>zwei Lesungen der Seite weichen voneinander ab: Die erste fand %1; die zweite, bei anderer Größe der Seite, fand %2</translation>
-    </message>
-    <message>
-        <source>the %1 axis names no unit, so %2 was assumed</source>
-        <translation>die Achse %1 nennt keine Einheit, deshalb wurde %2 angenommen</translation>
-    </message>
-    <message>
-        <source>the %1 axis names no unit; N was assumed, because the axis ends at 5 or below</source>
-        <translation>die Achse %1 nennt keine Einheit; N wurde angenommen, weil die Achse bei 5 oder darunter endet</translation>
-    </message>
-    <message>
-        <source>the %1 axis names no unit; gf was assumed, because the axis ends above 5</source>
-        <translation>die Achse %1 nennt keine Einheit; gf wurde angenommen, weil die Achse über 5 endet</translation>
     </message>
     <message>
         <source>the tick label &quot;%1&quot; on the %2 axis was ignored, because by the other labels its place means %3</source>
@@ -10663,6 +10651,34 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>no curve has the colour %1 that was given for the release</source>
         <translation>keine Kurve hat die Farbe %1, die für den Rückweg angegeben wurde</translation>
     </message>
+    <message>
+        <source>no unit for %3 was found at the %1 axis; %2 would be a guess</source>
+        <translation>an der Achse %1 wurde keine Einheit für %3 gefunden; %2 wäre geraten</translation>
+    </message>
+    <message>
+        <source>the title of the %1 axis prints a factor that cannot be read</source>
+        <translation>der Titel der Achse %1 nennt einen Faktor, der nicht lesbar ist</translation>
+    </message>
+    <message>
+        <source>no unit for lengths was found at the %1 axis, so %2 was assumed</source>
+        <translation>an der Achse %1 wurde keine Einheit für Längen gefunden, deshalb wurde %2 angenommen</translation>
+    </message>
+    <message>
+        <source>no unit for forces was found at the %1 axis; N was assumed, because the axis ends at 5 or below</source>
+        <translation>an der Achse %1 wurde keine Einheit für Kräfte gefunden; N wurde angenommen, weil die Achse bei 5 oder darunter endet</translation>
+    </message>
+    <message>
+        <source>no unit for forces was found at the %1 axis; gf was assumed, because the axis ends above 5</source>
+        <translation>an der Achse %1 wurde keine Einheit für Kräfte gefunden; gf wurde angenommen, weil die Achse über 5 endet</translation>
+    </message>
+    <message>
+        <source>upright marks on the curves, such as error bars, were left out: %1</source>
+        <translation>senkrechte Marken auf den Kurven, etwa Fehlerbalken, wurden weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>the release was traced from %1 only, but the press goes on to %2; its beginning may be missing</source>
+        <translation>der Rückweg wurde erst ab %1 nachgezeichnet, der Hinweg geht aber weiter bis %2; sein Anfang fehlt vielleicht</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Document</name>
@@ -10716,6 +10732,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>the numbers along the axis were multiplied by it</source>
         <translation>die Zahlen an der Achse wurden mit ihm multipliziert</translation>
+    </message>
+    <message>
+        <source>lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Multiply the given values by it</source>
+        <translation>Die angegebenen Werte damit multiplizieren</translation>
     </message>
 </context>
 <context>

@@ -80,7 +80,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
            "%2)")},
     {DoubtCode::releaseAbovePress, "release-above-press",
      words("the curve that would be the release lies above the press over %1 of their travel")},
-    {DoubtCode::unitMissing, "unit-missing", words("the %1 axis names no unit; %2 would be a guess")},
+    {DoubtCode::unitMissing, "unit-missing",
+     words("no unit for %3 was found at the %1 axis; %2 would be a guess")},
     {DoubtCode::otherQuantity, "other-quantity", words("the %1 axis cannot be used: %2")},
     {DoubtCode::axesExchanged, "axes-exchanged",
      words("the axes are exchanged: force runs to the right and travel upwards")},
@@ -115,6 +116,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
     {DoubtCode::thousandsUnclear, "thousands-unclear",
      words("the numbers of the %1 axis may be thousands, or may have three decimals")},
     {DoubtCode::strokeInPart, "stroke-in-part", words("press and release share only %1 of their travel")},
+    {DoubtCode::releaseStartsShort, "release-starts-short",
+     words("the release was traced from %1 only, but the press goes on to %2; its beginning may be missing")},
     {DoubtCode::namesNoStroke, "names-no-stroke",
      words("the legend calls one of two curves \"%1\", which means neither press nor release; the name of "
            "the other curve could not be read")},
@@ -128,6 +131,8 @@ constexpr Wording<DoubtCode> doubtWords[] = {
      words("you gave the colour %1 here, but the legend calls the curve of that colour \"%2\"")},
     {DoubtCode::givenAgainstLabels, "given-against-labels",
      words("the values entered for the %1 axis contradict the numbers printed there (%2)")},
+    {DoubtCode::factorUnread, "factor-unread",
+     words("the title of the %1 axis prints a factor that cannot be read")},
     {DoubtCode::factorPrinted, "factor-printed", words("the title of the %1 axis prints the factor %2; %3")},
     {DoubtCode::releaseNotGiven, "release-not-given",
      words("imported without a release: none was given by hand beside the press")},
@@ -140,11 +145,12 @@ constexpr Wording<RemarkCode> remarkWords[] = {
      words("page %1: images that could not be decoded: %2; the rest of the page was read")},
     {RemarkCode::pageUnreadable, "page-unreadable", words("page %1: %2")},
     {RemarkCode::lengthUnitAssumed, "length-unit-assumed",
-     words("the %1 axis names no unit, so %2 was assumed")},
+     words("no unit for lengths was found at the %1 axis, so %2 was assumed")},
     {RemarkCode::smallForcesTakenAsNewton, "small-forces-taken-as-newton",
-     words("the %1 axis names no unit; N was assumed, because the axis ends at 5 or below")},
+     words(
+         "no unit for forces was found at the %1 axis; N was assumed, because the axis ends at 5 or below")},
     {RemarkCode::largeForcesTakenAsGram, "large-forces-taken-as-gram",
-     words("the %1 axis names no unit; gf was assumed, because the axis ends above 5")},
+     words("no unit for forces was found at the %1 axis; gf was assumed, because the axis ends above 5")},
     {RemarkCode::labelContradicts, "label-contradicts",
      words(
          "the tick label \"%1\" on the %2 axis was ignored, because by the other labels its place means %3")},
@@ -191,7 +197,7 @@ constexpr Wording<RemarkCode> remarkWords[] = {
     {RemarkCode::resetPointNotPlaced, "reset-point-not-placed",
      words("the page states a reset point, but it could not be placed on the curve")},
     {RemarkCode::errorBarsLeftOut, "error-bars-left-out",
-     words("the curves carry error bars (%1); they are left out")}};
+     words("upright marks on the curves, such as error bars, were left out: %1")}};
 
 static_assert(isInOrder(evidenceWords) && isInOrder(doubtWords) && isInOrder(remarkWords));
 

@@ -68,7 +68,7 @@ enum class DoubtCode {
   strokesAlike,       ///< colours of the two
   releaseAbovePress,  ///< share of their travel
   // found by no single step, docs/develop/decisions/0805-doubts.md
-  unitMissing,    ///< axis, unit that would be taken
+  unitMissing,    ///< axis, unit that would be taken, lengths or forces
   otherQuantity,  ///< axis, its quantity as printed
   axesExchanged,
   implausibleTravel,  ///< mm
@@ -83,17 +83,19 @@ enum class DoubtCode {
   leavesThePlot,  ///< force at the plot's edge beyond which the curve continues, N
   belowTheAxis,   ///< force at which the axis begins, N
   otherScale,
-  curveLeftOver,     ///< travel and force at its middle, mm and N
-  curveOverPaper,    ///< travel and force at its middle, mm and N
-  readingsDiffer,    ///< messages: the button of the first reading, and of the second
-  thousandsUnclear,  ///< axis
-  strokeInPart,      ///< share of the travel that both strokes cover
-  namesNoStroke,     ///< name of the only named curve, which is no stroke's name
-  otherSwitchNamed,  ///< name of a switch in the legend of which no stroke was traced
+  curveLeftOver,       ///< travel and force at its middle, mm and N
+  curveOverPaper,      ///< travel and force at its middle, mm and N
+  readingsDiffer,      ///< messages: the button of the first reading, and of the second
+  thousandsUnclear,    ///< axis
+  strokeInPart,        ///< share of the travel that both strokes cover
+  releaseStartsShort,  ///< displacement at which the release starts, and the press' largest one
+  namesNoStroke,       ///< name of the only named curve, which is no stroke's name
+  otherSwitchNamed,    ///< name of a switch in the legend of which no stroke was traced
   pageIsScan,
   pageIsPhoto,
   givenAgainstLegend,  ///< given colour of a stroke, and the legend's text for the curve of that colour
   givenAgainstLabels,  ///< axis, the labels that contradict the ends given for it
+  factorUnread,        ///< axis
   factorPrinted,       ///< axis, factor in its title, message: numbers multiplied, or given ends not
   releaseNotGiven,     ///< the press was given by hand, and nothing says that there is no release
   rangeFalls,          ///< numbers that fall along the axis, on a plot that cannot be mirrored

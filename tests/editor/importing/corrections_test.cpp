@@ -257,6 +257,7 @@ TEST_CASE("Every finding has words at the editor, and none names an option of a 
     for (const RemedyKind each : advice.remedies) CHECK_FALSE(textOnButton(each).isEmpty());
   }
   CHECK(textOnButton(RemedyKind::drawPress) == "Draw press curve");
+  CHECK(textOnButton(RemedyKind::drawRelease) == "Draw release curve");
   for (int step = 0; step <= static_cast<int>(ImportStep::callouts); ++step) {
     CHECK_FALSE(inProgress(static_cast<ImportStep>(step)).isEmpty());
     CHECK_FALSE(nameOfWork(static_cast<ImportStep>(step)).isEmpty());

@@ -46,7 +46,7 @@ TEST_CASE("every finding has a name for scripts and words for people") {
 TEST_CASE("detent-import says what to pass after what it remarks") {
   CHECK(commandLineWords(Remark{
             RemarkCode::lengthUnitAssumed, {"x", "mm"}, {{RemedyKind::giveXUnit, "if it is another"}}}) ==
-        "the x axis names no unit, so mm was assumed. Pass --x-unit if it is another");
+        "no unit for lengths was found at the x axis, so mm was assumed. Pass --x-unit if it is another");
   CHECK(
       commandLineWords(Remark{RemarkCode::severalGraphs,
                               {3, 2, 1},

@@ -250,6 +250,21 @@ TEST_CASE("a factor in a title stays in doubt, though reported alone with a give
   }
 }
 
+TEST_CASE("a factor that cannot be read is in doubt, whatever unit was given") {
+  Import import;
+  import.graph.axes.calibration.value.y.factorUnread = true;
+  import.hints.axes.yUnit = ForceUnit::gramForce;
+  CHECK(import.weighed(DoubtCode::factorUnread).value_or(1) < confidenceBar);
+  const Doubt said = doubtsOf(import.findings(), import.checks, import.hints).front().doubt;
+  CHECK(english(messageOf(said)) == "the title of the y axis prints a factor that cannot be read");
+  CHECK(said.remedies.include(RemedyKind::giveYAxis));
+  import.graph.axes.calibration.value.y.repeated = true;
+  import.hints.axes.yMin = 0, import.hints.axes.yMax = 1;
+  const auto after = doubtsOf(import.findings(), import.checks, import.hints);
+  REQUIRE_FALSE(after.empty());
+  CHECK(after.front().doubt.remedies.include(RemedyKind::advice));
+}
+
 TEST_CASE("sizes in doubts are in the unit of the page, with three digits") {
   Import import;
   for (CurvePoint& p : import.press) p.force_N = -1.23456 * p.force_N;
@@ -513,6 +528,31 @@ TEST_CASE("a release that covers a part of the press is a piece of something els
   CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
   import.release = {{3.2, 1.4}, { 1.6, 0.45 }};  // gives out beside the press
   CHECK(import.doubted(DoubtCode::strokeInPart));
+}
+
+TEST_CASE("a release begins where the press ends, or at its force") {
+  struct Row {
+    CurvePoint begin;
+    bool doubted;
+  };
+  for (const Row& row : {Row{{3.2, 1.4}, false},   // where the press ends
+                         {{3.2, 0.7}, false},      // below it: what a drawing leaves out
+                         {{3.15, 0.7}, false},     // within the width of lines
+                         {{3.05, 0.7}, true},      // its bottom-out is missing
+                         {{3.05, 1.5}, false}}) {  // beside a slanted bottom-out
+    INFO(row.begin.displacement_mm << " mm, " << row.begin.force_N << " N");
+    Import import;
+    import.release = {row.begin, {1, 0.4}, { 0, 0.1 }};
+    CHECK(import.doubted(DoubtCode::releaseStartsShort) == row.doubted);
+  }
+  Import import;
+  import.release = {{3.05, 0.7}, {1, 0.4}, { 0, 0.1 }};
+  const Doubt said = doubtsOf(import.findings(), import.checks, import.hints).front().doubt;
+  CHECK(english(messageOf(said)) ==
+        "the release was traced from 3.05 mm only, but the press goes on to 3.20 mm; its beginning may be "
+        "missing");
+  import.hints.drawn.release = {{100, 100}, { 200, 200 }};
+  CHECK_FALSE(import.doubted(DoubtCode::releaseStartsShort));
 }
 
 TEST_CASE("a key that locks comes to rest on the way, if a legend names its strokes") {
@@ -871,6 +911,9 @@ void give(RemedyKind kind, ImportHints& hints) {
       break;
     case RemedyKind::drawPress:
       hints.drawn.press = {{0, 0}, {1, 1}};
+      break;
+    case RemedyKind::drawRelease:
+      hints.drawn.release = {{0, 0}, {1, 1}};
       break;
     case RemedyKind::chooseSwitch:
       hints.strokes.curve = "1";

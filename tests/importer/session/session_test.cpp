@@ -240,7 +240,7 @@ TEST_CASE("A button keeps in its file which units its user accepted as a guess")
   for (const RecordedWarning& warning : attempt.report->button.provenance()->warnings)
     all += warning.text + "\n";
   for (const char* axis : {"x", "y"})
-    CHECK_THAT(all, Catch::Contains("not certain: the " + std::string(axis) + " axis names no unit"));
+    CHECK_THAT(all, Catch::Contains(" was found at the " + std::string(axis) + " axis"));
 }
 
 TEST_CASE("A failed import gives what was found so far; a good one what its report holds") {
