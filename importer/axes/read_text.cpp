@@ -6,9 +6,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -94,8 +97,18 @@ class Engine {
   }
   bool ready() const { return api_ != nullptr; }
 
-  /// Dark text on white, 8-bit.
+  /// Dark text on white, 8-bit and continuous. Equal pixels are read once, because the searches for
+  /// labels, titles and legends of a plot and of its neighbours meet the same lines.
   SeenText line(const cv::Mat& grey, TextKind kind) {
+    constexpr std::size_t most = 512;  // lines of several plots
+    const std::tuple key(kind, grey.cols, std::string(grey.datastart, grey.dataend));
+    if (const auto read = known_.find(key); read != known_.end()) return read->second;
+    if (known_.size() >= most) known_.clear();
+    return known_.emplace(key, recognised(grey, kind)).first->second;
+  }
+
+ private:
+  SeenText recognised(const cv::Mat& grey, TextKind kind) {
     SeenText seen;
     if (!api_) return seen;
     // Threads within a single line cost more than they gain (they spin), and they take the other cores from a
@@ -117,7 +130,6 @@ class Engine {
     return seen;
   }
 
- private:
   /// Width of the line's first sign as the engine sees it; 0 without any.
   int firstSignWidth_px() const {
     const std::unique_ptr<tesseract::ResultIterator> at(api_->GetIterator());
@@ -127,6 +139,7 @@ class Engine {
 
   std::optional<LightModel> model_;  // empty: the engine names letters as they are
   std::unique_ptr<tesseract::TessBaseAPI> api_;
+  std::map<std::tuple<TextKind, int, std::string>, SeenText> known_;  // by kind, width and pixels
 };
 
 Engine& engineOfThread() {
