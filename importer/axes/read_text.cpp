@@ -100,7 +100,7 @@ class Engine {
   /// Dark text on white, 8-bit and continuous. Equal pixels are read once, because the searches for
   /// labels, titles and legends of a plot and of its neighbours meet the same lines.
   SeenText line(const cv::Mat& grey, TextKind kind) {
-    constexpr std::size_t most = 512;  // lines of several plots
+    constexpr std::size_t most = 256;  // lines of several plots
     const std::tuple key(kind, grey.cols, std::string(grey.datastart, grey.dataend));
     if (const auto read = known_.find(key); read != known_.end()) return read->second;
     if (known_.size() >= most) known_.clear();
