@@ -95,11 +95,24 @@ std::vector<TickLabel> tickLabels(const AxisLabels& labels) {
   return out;
 }
 
-/// Values at the frame's ends: those given, else those of the labels.
+/// The power of ten between a printed value and the given one at the same place; 1 if none explains both.
+double powerBetween(double printed, double given) {
+  constexpr double rounding = 0.01;  // share of the given value
+  if (!(printed * given > 0)) return 1;
+  const double power = std::pow(10.0, std::round(std::log10(given / printed)));
+  return std::abs(given - power * printed) <= rounding * std::abs(given) ? power : 1;
+}
+
+/// Values at the frame's ends: those given, else those of the labels. Beside a given end the other one is as
+/// shown, at its tick, and multiplied by what the given one was: "1.250" may be printed for 1250 or for 1.25.
 EndValues valuesAtEnds(const std::optional<AxisLabels>& labels, double first_px, double last_px,
                        std::optional<double> givenFirst, std::optional<double> givenLast) {
   EndValues v;
   if (hasProgression(labels)) v = {labels->progression->value(first_px), labels->progression->value(last_px)};
+  if (hasProgression(labels) && givenFirst.has_value() != givenLast.has_value()) {
+    const double power = givenFirst ? powerBetween(v.first, *givenFirst) : powerBetween(v.last, *givenLast);
+    v = {power * settled(v.first, *labels->progression), power * settled(v.last, *labels->progression)};
+  }
   return {givenFirst.value_or(v.first), givenLast.value_or(v.last)};
 }
 
@@ -301,7 +314,7 @@ void remarkContradictions(const std::optional<AxisLabels>& labels, Axis axis, st
   }
 }
 
-/// The value at an end of the axis: rounded to the tick there unless it was given.
+/// The value at an end of the axis: rounded to the tick there unless one of its ends was given.
 double endOf(double value, bool given, const std::optional<AxisLabels>& labels) {
   return given || !hasProgression(labels) ? value : settled(value, *labels->progression);
 }
@@ -713,10 +726,10 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   cal.y.unit = symbolOf(yUnit);
   fillReading(cal.x, xLabels, xGiven.range());
   fillReading(cal.y, yLabels, yGiven.range());
-  cal.x.min = endOf(x.first, xGiven.min.has_value(), xLabels);
-  cal.x.max = endOf(x.last, xGiven.max.has_value(), xLabels);
-  cal.y.min = endOf(y.last, yGiven.min.has_value(), yLabels);
-  cal.y.max = endOf(y.first, yGiven.max.has_value(), yLabels);
+  cal.x.min = endOf(x.first, xGiven.any(), xLabels);
+  cal.x.max = endOf(x.last, xGiven.any(), xLabels);
+  cal.y.min = endOf(y.last, yGiven.any(), yLabels);
+  cal.y.max = endOf(y.first, yGiven.any(), yLabels);
   const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
   cal.viewToUnits = homographyOf(corners, {x.first * mm, x.last * mm}, {y.first * newton, y.last * newton});
   applyMultipliers(cal, r, xLabels, yLabels, hints);

@@ -755,6 +755,41 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
   }
 }
 
+TEST_CASE("beside one given end the other is the printed one, in the same power of ten") {
+  struct Row {
+    double from;  // printed at the bottom; 120 more at the top
+    std::optional<double> bottom, top;
+    double min, max;
+  };
+  for (const Row& row : {Row{0, {}, 120, 0, 120},
+                         {0, {}, 0.12, 0, 0.12},
+                         {20, {}, 0.14, 0.02, 0.14},
+                         {20, 0.02, {}, 0.02, 0.14},
+                         {20, {}, 75, 20, 75},  // no power of ten
+                         {20, {}, 14, 2, 14}}) {
+    INFO(row.from << ", " << row.bottom.value_or(-1) << " to " << row.top.value_or(-1));
+    PlotStyle s;
+    s.yFrom = row.from;
+    auto looked = readWithoutCurves(s);
+    writeBelow(looked.view, s);
+    writeLeft(looked.view, s);
+    looked.view.texts.push_back({"Travel [mm]", {420, 545, 520, 562}, 0});
+    looked.view.texts.push_back({"Force [N]", {20, 220, 38, 320}, 90});
+    AxisHints hints;
+    hints.yMin = row.bottom, hints.yMax = row.top;
+    const auto axes = readAxes(looked.view, looked.frame, hints);
+    REQUIRE(axes);
+    const AxisCalibration& c = axes->calibration.value;
+    CHECK(c.y.min == Approx(row.min));
+    CHECK(c.y.max == Approx(row.max));
+    const auto& corners = looked.frame.corners;
+    const Point offset = looked.frame.drawnOffset_px;
+    CHECK(c.toUnits({corners[3].x - offset.x, corners[3].y - offset.y}).y ==
+          Approx(row.min).margin(1e-9 * row.max));
+    CHECK(c.toUnits({corners[0].x - offset.x, corners[0].y - offset.y}).y == Approx(row.max));
+  }
+}
+
 TEST_CASE("forces that fall upwards are read beside the other axis' zero in the corner") {
   PlotStyle s;
   s.yFrom = 120, s.yStep = -20;

@@ -549,7 +549,7 @@ TEST_CASE("a release begins where the press ends, or at its force") {
   import.release = {{3.05, 0.7}, {1, 0.4}, { 0, 0.1 }};
   const Doubt said = doubtsOf(import.findings(), import.checks, import.hints).front().doubt;
   CHECK(english(messageOf(said)) ==
-        "the release was traced from 3.05 mm only, but the press goes on to 3.20 mm; its beginning may be "
+        "the release was traced from 3.05 mm only, but the press goes on to 3.2 mm; its beginning may be "
         "missing");
   import.hints.drawn.release = {{100, 100}, { 200, 200 }};
   CHECK_FALSE(import.doubted(DoubtCode::releaseStartsShort));
