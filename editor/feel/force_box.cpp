@@ -47,7 +47,7 @@ ForceBox::ForceBox(ViewSettings& settings, ForceSession& session, QWidget* paren
 
 QString ForceBox::stateWords() const {
   if (!session_.device() && session_.trouble().isEmpty())
-    return tr("No force device. Choose one under Setup; simulated ones need no hardware.");
+    return tr("No force device. Choose one under Setup; simulated devices need no hardware.");
   switch (session_.state()) {
     case ForceState::off:
       return session_.simulated()

@@ -34,11 +34,11 @@ std::optional<CorrectionWords> correctionWordsOf(RemedyKind kind) {
     case RemedyKind::giveYUnit:
       return {{words("choose the unit of the force axis"), words("Force unit")}};
     case RemedyKind::pickPress:
-      return {{words("click the press curve with the pipette"), words("Pick press curve")}};
+      return {{words("click the press curve on the page"), words("Pick press curve")}};
     case RemedyKind::pickRelease:
-      return {{words("click the release curve with the pipette"), words("Pick release curve")}};
+      return {{words("click the release curve on the page"), words("Pick release curve")}};
     case RemedyKind::noRelease:
-      return {{words("state that the page shows no release of this button"), words("No release curve")}};
+      return {{words("say that the page shows no release of this button"), words("No release curve")}};
     case RemedyKind::addMask:
       return {{words("paint a mask over what is not part of a curve"), words("Paint mask")}};
     case RemedyKind::setResolution:

@@ -2153,7 +2153,7 @@ Lizenz: %3</translation>
         <translation>Krafteinheit</translation>
     </message>
     <message>
-        <source>click the press curve with the pipette</source>
+        <source>click the press curve on the page</source>
         <translation>mit der Pipette die Hinwegkurve anklicken</translation>
     </message>
     <message>
@@ -2161,7 +2161,7 @@ Lizenz: %3</translation>
         <translation>Hinwegkurve wählen</translation>
     </message>
     <message>
-        <source>click the release curve with the pipette</source>
+        <source>click the release curve on the page</source>
         <translation>mit der Pipette die Rückwegkurve anklicken</translation>
     </message>
     <message>
@@ -2909,7 +2909,7 @@ Lizenz: %3</translation>
         <translation>(Spitzenkraft − Talkraft) / Spitzenkraft. Der Druckpunkt bleibt, das Tal wandert.</translation>
     </message>
     <message>
-        <source>state that the page shows no release of this button</source>
+        <source>say that the page shows no release of this button</source>
         <translation>angeben, dass die Seite keinen Rückweg dieses Tasters zeigt</translation>
     </message>
     <message>
@@ -4988,7 +4988,7 @@ Lizenz: %3</translation>
         <translation>Den Taster nur so weit ändern, wie das Gerät es erfordert: zuerst Dämpfung, dann Steigungen; Spitzen behalten ihre Kraft. Lässt sich in einem Schritt rückgängig machen.</translation>
     </message>
     <message>
-        <source>No force device. Choose one under Setup; simulated ones need no hardware.</source>
+        <source>No force device. Choose one under Setup; simulated devices need no hardware.</source>
         <translation>Kein Kraftgerät. Wählen Sie eines unter Einrichtung; simulierte brauchen keine Hardware.</translation>
     </message>
     <message>
