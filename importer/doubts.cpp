@@ -315,15 +315,20 @@ bool pressBeginsLate(const StrokePair& strokes) {
   return press.low - release.low > late * travel_mm && begin_N > nothing * forceOf(strokes.press).high;
 }
 
-/// Returns true if the release begins at a displacement short of the press' largest one, and not at its
-/// force. A key turns round where it was pressed to; otherwise the release's beginning was not traced.
+/// Returns true if the release begins at a displacement short of the press' largest one, and well below the
+/// force there. A key turns round where it was pressed to; otherwise the release's beginning was not traced.
 bool releaseStartsShort(const StrokePair& strokes) {
-  constexpr double shortBy = 0.02, whole = 0.75;  // shares of the travel and of the press' largest force
+  constexpr double shortBy = 0.02, whole = 0.75;  // shares of the travel and of the force at the press' end
   const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
-  const CurvePoint begin =
-      *std::ranges::max_element(strokes.release->points, {}, &CurvePoint::displacement_mm);
-  return press.high - release.high > shortBy * (press.high - press.low) &&
-         begin.force_N < whole * forceOf(strokes.press).high;
+  const double gap_mm = shortBy * (press.high - press.low);
+  const auto forceAtEnd = [&](const std::vector<CurvePoint>& points, double end_mm) {
+    double most_N = std::numeric_limits<double>::lowest();
+    for (const CurvePoint& p : points)
+      if (p.displacement_mm >= end_mm - gap_mm) most_N = std::max(most_N, p.force_N);
+    return most_N;
+  };
+  return press.high - release.high > gap_mm && forceAtEnd(strokes.release->points, release.high) <
+                                                   whole * forceAtEnd(strokes.press.points, press.high);
 }
 
 /// Share of the press' force that the release still has at its end; nullopt if the press does not cover that
@@ -426,7 +431,8 @@ class Doubts {
     if (axis.factorUnread) {
       Remedies helps{
           {isX ? RemedyKind::giveXAxis : RemedyKind::giveYAxis, "with the numbers multiplied by it"}};
-      if (axis.repeated) helps = Message("Multiply the given values by it");
+      if (isX ? hints_.axes.xMin && hints_.axes.xMax : hints_.axes.yMin && hints_.axes.yMax)
+        helps = Message("Multiply the given values by it");
       add(DoubtCode::factorUnread, unconfirmed, {isX ? "x" : "y"}, std::move(helps));
     }
     if (axis.factor == 1) return;

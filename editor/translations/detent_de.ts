@@ -2154,7 +2154,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>click the press curve on the page</source>
-        <translation>mit der Pipette die Hinwegkurve anklicken</translation>
+        <translation>auf der Seite die Hinwegkurve anklicken</translation>
     </message>
     <message>
         <source>Pick press curve</source>
@@ -2162,7 +2162,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>click the release curve on the page</source>
-        <translation>mit der Pipette die Rückwegkurve anklicken</translation>
+        <translation>auf der Seite die Rückwegkurve anklicken</translation>
     </message>
     <message>
         <source>Pick release curve</source>

@@ -20,6 +20,7 @@
 #include "importer/axes/printed_number.h"
 #include "importer/axes/text_source.h"
 #include "importer/axes/uneven_scale.h"
+#include "importer/lexicon/printed_factor.h"
 #include "importer/page/confidence_bar.h"
 #include "model/text.h"
 
@@ -110,8 +111,9 @@ EndValues valuesAtEnds(const std::optional<AxisLabels>& labels, double first_px,
   EndValues v;
   if (hasProgression(labels)) v = {labels->progression->value(first_px), labels->progression->value(last_px)};
   if (hasProgression(labels) && givenFirst.has_value() != givenLast.has_value()) {
+    v = {settled(v.first, *labels->progression), settled(v.last, *labels->progression)};
     const double power = givenFirst ? powerBetween(v.first, *givenFirst) : powerBetween(v.last, *givenLast);
-    v = {power * settled(v.first, *labels->progression), power * settled(v.last, *labels->progression)};
+    v = {power * v.first, power * v.last};
   }
   return {givenFirst.value_or(v.first), givenLast.value_or(v.last)};
 }
@@ -614,7 +616,8 @@ std::ptrdiff_t markAgreeing(AxisReading& reading, const GivenScale& given, const
 
 /// Value of the unit that the page prints in the unit of the reading; 1 if the page prints none.
 double printedPerGiven(const AxisReading& reading, const AxisLabels& labels, Axis axis) {
-  for (const std::string& text : {labels.suffix, reading.title}) {
+  const auto factor = printedFactorIn(reading.title);
+  for (const std::string& text : {labels.suffix, factor ? factor->title : reading.title}) {
     if (axis == Axis::x)
       if (const auto unit = lengthUnitIn(text))
         return millimetresPer(unit->unit) / millimetresPer(*lengthUnitFrom(reading.unit));
@@ -644,15 +647,16 @@ void compareWithLabels(AxisCalibration& cal, const GivenScale& given, GraphReadi
   trial(printedPerGiven(reading, *labels, given.axis));
   if (labels->thousands == ThousandsSign::possible) trial(1000);
   trial(reading.factor);
-  if (reading.factorUnread)
-    for (const double unread : {0.001, 0.01, 0.1, 10.0, 100.0, 1000.0}) trial(unread);
   trial(-1);  // sizes, beside numbers with a minus sign
   if (most < all) trial(multiplierAtEnd(r, given.axis, labels->extent));
+  const double known = factor;
+  if (reading.factorUnread)
+    for (int power = -6; power <= 6; ++power) trial(std::pow(10.0, power));
   markAgreeing(reading, given, p, factor);
   reading.repeated = most == all;
   if (factor == 1 && reading.repeated) takeFactor(cal, given.axis);
   if (factor == reading.factor) reading.factor = 1;
-  if (!(reading.repeated && factor == 1)) reading.factorUnread = false;
+  if (!reading.repeated || factor != known) reading.factorUnread = false;
   if (reading.repeated) return;
   for (const TickLabel& tick : reading.ticks)
     if (tick.used && !tick.agrees) reading.contradicting.push_back(shownNumber(tick.value));

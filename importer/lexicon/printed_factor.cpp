@@ -100,23 +100,27 @@ bool takeSign(std::string_view title, std::size_t at, std::string_view& rest) {
   return alone && (take(rest, "x") || take(rest, "X"));
 }
 
+constexpr std::array<std::string_view, 4> openers{"(", "[", "{", "（"};
+
 /// Takes what stands in front of a unit where only units stand: a bracket, a slash, or "in".
 bool takePlace(std::string_view title, std::string_view& rest) {
-  if (take(rest, std::array<std::string_view, 3>{"(", "[", "{"}) < 3 || take(rest, " in ")) return true;
+  if (take(rest, openers) < openers.size() || take(rest, " in ")) return true;
   return title.find_first_of("([{") == std::string_view::npos && take(rest, "/");
 }
 
-/// Returns true if the name of a force or a travel is the last word of the text.
-bool endsWithQuantity(std::string_view text) {
+/// 1 if the text is the name of a force or a travel, 2 if that is the last of several words; else 0, also if a
+/// digit follows.
+int wordsUpToQuantity(std::string_view text) {
   const auto isLetter = [](char c) { return isUnitLetter(c); };
   const auto end = std::ranges::find_if(text.rbegin(), text.rend(), isLetter);
   const auto begin = std::find_if_not(end, text.rend(), isLetter);
-  if (std::any_of(text.rbegin(), end, isDigit)) return false;
+  if (std::any_of(text.rbegin(), end, isDigit)) return 0;
   const Quantity quantity = quantityNamedIn({begin.base(), end.base()}, TextSource::recognised).quantity;
-  return quantity == Quantity::force || quantity == Quantity::travel;
+  if (quantity != Quantity::force && quantity != Quantity::travel) return 0;
+  return std::any_of(begin, text.rend(), isLetter) ? 2 : 1;
 }
 
-/// Returns true if a number may begin here: no letter, digit or decimal sign stands directly in front.
+/// Returns true if a number may begin here: no letter, digit, point or slash stands directly in front.
 bool mayBeginNumber(std::string_view title, std::size_t at) {
   return at > 0 && isDigit(title[at]) && !isUnitLetter(title[at - 1]) && !isDigit(title[at - 1]) &&
          title[at - 1] != '.' && title[at - 1] != '/';
@@ -125,23 +129,29 @@ bool mayBeginNumber(std::string_view title, std::size_t at) {
 /// Returns true if a unit begins the text and nothing but a bracket or a blank follows.
 bool beginsWithUnit(std::string_view text) {
   const auto end = std::ranges::find_if_not(text, isUnitLetter);
-  const std::string unit(text.begin(), end);
+  std::string unit(text.begin(), end);
+  constexpr std::string_view closer = "）";  // its bytes count as letters
+  if (unit.ends_with(closer)) unit.resize(unit.size() - closer.size());
   if (unit.empty() || (end != text.end() && std::string_view(" )]}|").find(*end) == std::string_view::npos))
     return false;
   return forceUnitFrom(unit) || lengthUnitFrom(unit) || unitReadAs(unit, TextSource::recognised, false);
 }
 
-/// Takes what was read of an exponent directly behind a ten, up to the unit; true if anything stood there.
+/// Takes what was read of an exponent behind a ten, up to the unit or its bracket; true if anything was, and a
+/// unit follows.
 bool takeUnread(std::string_view& text) {
   const auto isOver = [](std::string_view t) {
     return t.empty() || std::string_view(" ,;([{)]}|").find(t.front()) != std::string_view::npos ||
            beginsWithUnit(t);
   };
-  std::string_view rest = text;
+  std::string_view rest = text, ahead = text;
+  takeBlanks(ahead);
+  if (!ahead.empty() && isDigit(ahead.front())) rest = ahead;  // "x10 3 mN"
   while (!isOver(rest)) rest.remove_prefix(1);
   const bool any = rest.size() < text.size();
   text = rest;
   takeBlanks(rest);
+  take(rest, openers);
   return any && beginsWithUnit(rest);
 }
 
@@ -151,16 +161,25 @@ std::optional<PrintedFactor> printedFactorIn(std::string_view title) {
   for (std::size_t at = 0; at < title.size(); ++at) {
     std::string_view rest = title.substr(at);
     const bool afterSign = takeSign(title, at, rest);
-    const bool afterName = !afterSign && mayBeginNumber(title, at) && endsWithQuantity(title.substr(0, at));
+    const int words = !afterSign && mayBeginNumber(title, at) ? wordsUpToQuantity(title.substr(0, at)) : 0;
+    const bool afterName = words > 0;
     if (!afterSign && !afterName && !takePlace(title, rest)) continue;
     const std::size_t from = afterSign ? at : title.size() - rest.size();
     takeBlanks(rest);
+    const std::string_view number = rest;
     std::optional<double> factor = takePower(rest, afterSign);
-    if (!factor) continue;
-    if (std::string_view beyond = rest; afterSign && takeUnread(beyond)) factor.reset(), rest = beyond;
+    bool unread = false;
+    if (afterSign) {
+      std::string_view beyond = rest;
+      if (!factor) take(beyond, "10");  // digits that are no exponent behind it: "x1072N"
+      unread = beyond.size() < number.size() && takeUnread(beyond);
+      if (unread) factor.reset(), rest = beyond;
+    }
+    if (!factor && !unread) continue;
     const std::string_view behind = rest;
     takeBlanks(rest);
-    if (afterName) take(rest, std::array<std::string_view, 3>{"(", "[", "{"});
+    const bool inBrackets = afterName && take(rest, openers) < openers.size();
+    if (words > 1 && !inBrackets) continue;  // "operating force: 100 gf" is the value of a point
     if (!afterSign && !beginsWithUnit(rest)) continue;
     if (afterName && rest.find(' ') != std::string_view::npos) continue;
     PrintedFactor found{factor, std::string(title.substr(0, from)) + std::string(behind)};

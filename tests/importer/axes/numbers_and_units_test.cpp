@@ -356,7 +356,9 @@ TEST_CASE("a factor that a title prints beside its unit") {
                              {"Kraft ·100 [N]", "Kraft  [N]", 100},
                              {"Travel [1/100 mm]", "Travel [ mm]", 0.01},
                              {"Force, 10 mN", "Force,  mN", 10},
+                             {"荷重（10 mN）", "荷重（ mN）", 10},
                              {"Force - 10 (cN)", "Force -  (cN)", 10},
+                             {"Key force - 10 (cN)", "Key force -  (cN)", 10},
                              {"Kraft: 100 mN", "Kraft:  mN", 100},
                              {"Travel 0.01 mm", "Travel  mm", 0.01},
                              {"Force*10^{-3} [N]", "Force [N]", 0.001}}) {
@@ -366,10 +368,10 @@ TEST_CASE("a factor that a title prints beside its unit") {
     CHECK(found->factor.value_or(0) == Approx(title.factor));
     CHECK(found->title == title.without);
   }
-  for (const char* text :
-       {"Force (gf)", "Force (60 gf)", "Force at speed (10 mm/min) [N]", "Max 100 gf", "x-axis 10",
-        "Force at 10 mm", "Force 10 N, slow", "Force 10 mm/min", "Force 20 gf", "MX10 (gf)", "3x10 keys",
-        "Force in 10 keys", "x1 [N]", "×10³", "10", ""}) {
+  for (const char* text : {"Force (gf)", "Force (60 gf)", "Force at speed (10 mm/min) [N]", "Max 100 gf",
+                           "x-axis 10", "Force at 10 mm", "Force 10 N, slow", "Force 10 N slow",
+                           "Operating force: 100 gf", "Full stroke 10 mm", "Force 10 mm/min", "Force 20 gf",
+                           "MX10 (gf)", "3x10 keys", "Force in 10 keys", "x1 [N]", "×10³", "10", ""}) {
     INFO(text);
     CHECK_FALSE(printedFactorIn(text));
   }
@@ -383,7 +385,10 @@ TEST_CASE("a factor whose exponent was misread is printed and unknown") {
                              {"Force x10? mN", "Force  mN"},
                              {"Force (x107! N)", "Force ( N)"},
                              {"Load [x10*2 gf]", "Load [ gf]"},
-                             {"Force ×10° mN", "Force  mN"}}) {
+                             {"Force ×10° mN", "Force  mN"},
+                             {"Force [x1072N]", "Force [N]"},
+                             {"Force ×10? (N)", "Force  (N)"},
+                             {"Force x10 3 mN", "Force  mN"}}) {
     INFO(title.text);
     const auto found = printedFactorIn(title.text);
     REQUIRE(found);

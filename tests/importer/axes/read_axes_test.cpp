@@ -723,17 +723,20 @@ TEST_CASE("a factor in a title multiplies the numbers, whatever unit is given") 
     bool unread = false;
   };
   PlotStyle s;  // the numbers end at 120
-  for (const Row& row : {Row{"read", "Load [x10 gf]", {}, {}, 1200, 10},
-                         {"the unit given", "Load [x10 gf]", ForceUnit::gramForce, {}, 1200, 10},
-                         {"in front of the unit", "Kraft in 0.1 N", ForceUnit::newton, {}, 12, 0.1},
-                         {"the ends as printed", "Load [x10 gf]", ForceUnit::gramForce, 120, 1200, 10},
-                         {"the ends as printed, without a unit", "Load [x10 gf]", {}, 120, 1200, 10},
-                         {"ends that no number agrees with", "Load [x10 gf]", {}, 75, 75, 10},
-                         {"the top multiplied", "Load [x10 gf]", ForceUnit::gramForce, 1200, 1200, 1},
-                         {"misread", "Load [x10?gf]", ForceUnit::gramForce, {}, 120, 1, true},
-                         {"misread, the ends as printed", "Load [x10?gf]", {}, 120, 120, 1, true},
-                         {"misread, the top multiplied", "Load [x10?gf]", {}, 12000, 12000, 1},
-                         {"none", "Load [gf]", ForceUnit::gramForce, {}, 120, 1}}) {
+  for (const Row& row :
+       {Row{"read", "Load [x10 gf]", {}, {}, 1200, 10},
+        {"the unit given", "Load [x10 gf]", ForceUnit::gramForce, {}, 1200, 10},
+        {"in front of the unit", "Kraft in 0.1 N", ForceUnit::newton, {}, 12, 0.1},
+        {"the ends as printed", "Load [x10 gf]", ForceUnit::gramForce, 120, 1200, 10},
+        {"the ends as printed, without a unit", "Load [x10 gf]", {}, 120, 1200, 10},
+        {"ends that no number agrees with", "Load [x10 gf]", {}, 75, 75, 10},
+        {"the top multiplied", "Load [x10 gf]", ForceUnit::gramForce, 1200, 1200, 1},
+        {"misread", "Load [x10?gf]", ForceUnit::gramForce, {}, 120, 1, true},
+        {"misread, the ends as printed", "Load [x10?gf]", {}, 120, 120, 1, true},
+        {"misread, the top multiplied", "Load [x10?gf]", {}, 12000, 12000, 1},
+        {"misread, in another unit", "Load [x10?mN]", ForceUnit::newton, 0.12, 0.12, 1, true},
+        {"misread, and a millionfold", "Load [x10?gf]", {}, 1.2e8, 1.2e8, 1},
+        {"none", "Load [gf]", ForceUnit::gramForce, {}, 120, 1}}) {
     INFO(row.what);
     auto looked = readWithoutCurves(s);
     writeBelow(looked.view, s);
@@ -765,7 +768,9 @@ TEST_CASE("beside one given end the other is the printed one, in the same power 
                          {0, {}, 0.12, 0, 0.12},
                          {20, {}, 0.14, 0.02, 0.14},
                          {20, 0.02, {}, 0.02, 0.14},
-                         {20, {}, 75, 20, 75},  // no power of ten
+                         {20, {}, 75, 20, 75},      // no power of ten
+                         {20, {}, 1.42, 20, 1.42},  // 1.4 % off one
+                         {0, 0.1, {}, 0.1, 120},    // beside a printed zero
                          {20, {}, 14, 2, 14}}) {
     INFO(row.from << ", " << row.bottom.value_or(-1) << " to " << row.top.value_or(-1));
     PlotStyle s;

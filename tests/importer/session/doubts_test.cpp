@@ -538,14 +538,19 @@ TEST_CASE("a release begins where the press ends, or at its force") {
   for (const Row& row : {Row{{3.2, 1.4}, false},   // where the press ends
                          {{3.2, 0.7}, false},      // below it: what a drawing leaves out
                          {{3.15, 0.7}, false},     // within the width of lines
-                         {{3.05, 0.7}, true},      // its bottom-out is missing
-                         {{3.05, 1.5}, false}}) {  // beside a slanted bottom-out
+                         {{3.1, 0.7}, true},       // its bottom-out is missing
+                         {{3.05, 1.1}, true},      // a part of it
+                         {{3.05, 1.3}, false}}) {  // beside a slanted bottom-out
     INFO(row.begin.displacement_mm << " mm, " << row.begin.force_N << " N");
     Import import;
     import.release = {row.begin, {1, 0.4}, { 0, 0.1 }};
     CHECK(import.doubted(DoubtCode::releaseStartsShort) == row.doubted);
   }
   Import import;
+  import.press = {{0, 0.2}, {1, 1.6}, { 3.2, 1.1 }};  // its end is not its peak
+  import.release = {{3.05, 0.9}, {1, 0.4}, { 0, 0.1 }};
+  CHECK_FALSE(import.doubted(DoubtCode::releaseStartsShort));
+  import = {};
   import.release = {{3.05, 0.7}, {1, 0.4}, { 0, 0.1 }};
   const Doubt said = doubtsOf(import.findings(), import.checks, import.hints).front().doubt;
   CHECK(english(messageOf(said)) ==
