@@ -105,7 +105,7 @@ double powerBetween(double printed, double given) {
 }
 
 /// Values at the frame's ends: those given, else those of the labels. Beside a given end the other one is as
-/// shown, at its tick, and multiplied by what the given one was: "1.250" may be printed for 1250 or for 1.25.
+/// shown, at its tick, in the given one's power of ten: "1.250" may be printed for 1250 or for 1.25.
 EndValues valuesAtEnds(const std::optional<AxisLabels>& labels, double first_px, double last_px,
                        std::optional<double> givenFirst, std::optional<double> givenLast) {
   EndValues v;

@@ -108,8 +108,8 @@ bool takePlace(std::string_view title, std::string_view& rest) {
   return title.find_first_of("([{") == std::string_view::npos && take(rest, "/");
 }
 
-/// 1 if the text is the name of a force or a travel, 2 if that is the last of several words; else 0, also if a
-/// digit follows.
+/// 1 if the text is the name of a force or a travel, 2 if that is the last of several words; else 0, also if
+/// a digit follows.
 int wordsUpToQuantity(std::string_view text) {
   const auto isLetter = [](char c) { return isUnitLetter(c); };
   const auto end = std::ranges::find_if(text.rbegin(), text.rend(), isLetter);
@@ -137,8 +137,8 @@ bool beginsWithUnit(std::string_view text) {
   return forceUnitFrom(unit) || lengthUnitFrom(unit) || unitReadAs(unit, TextSource::recognised, false);
 }
 
-/// Takes what was read of an exponent behind a ten, up to the unit or its bracket; true if anything was, and a
-/// unit follows.
+/// Takes what was read of an exponent behind a ten, up to the unit or its bracket; true if anything was, and
+/// a unit follows.
 bool takeUnread(std::string_view& text) {
   const auto isOver = [](std::string_view t) {
     return t.empty() || std::string_view(" ,;([{)]}|").find(t.front()) != std::string_view::npos ||
